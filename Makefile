@@ -48,7 +48,7 @@ docs: $(VENV)/.docs ## build the documentation, every example and derivation run
 	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs $(OUT)/docs
 
 clean: ## remove .venv, out/ and every cache
-	rm -rf $(VENV) out build dist docs/_build docs/derivations .pytest_cache .ruff_cache .mypy_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) out build dist docs/_build docs/derivations docs/derived .pytest_cache .ruff_cache .mypy_cache .import_linter_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Stamps: an extra is installed once, and again when pyproject.toml changes.

@@ -73,6 +73,31 @@ use_style()
 sp.init_printing()
 
 # %% [markdown]
+# ## Your equation first
+#
+# The column is the easier of the two coordinates. Write down the balance of forces across it while
+# the structure rocks freely on its right foot, and type it in place of ours. `compare` reads
+# symbols by their names: those of this notebook, or `theta_dot`, `u_ddot`, `mass` and so on.
+
+# %%
+model = rk.derive(rk.FlexibleStructure)
+inertia = m_e * (u_dd + H_e * theta_dd)
+
+yours = sp.Eq(inertia + m_e * (B - u) * theta_d**2 + c * u_d + k * u, m_e * g * sp.sin(theta))
+print(model.compare(yours, mode="right", ground=()))
+
+# %% [markdown]
+# Now without the term of the velocity squared, which is easily overlooked. The comparison says what
+# is missing: the centrifugal force away from the foot, a result of Section 2.
+
+# %%
+mistaken = sp.Eq(inertia + c * u_d + k * u, m_e * g * sp.sin(theta))
+comparison = model.compare(mistaken, mode="right", ground=())
+print(comparison)
+assert model.compare(yours, mode="right", ground=())
+assert set(comparison.difference) == {"velocities squared"}
+
+# %% [markdown]
 # ## 1. A frame that turns with the base
 #
 # Take axes fixed to the base: the origin at the pivot, $\boldsymbol e_1$ across the column and
@@ -309,7 +334,6 @@ sp.Eq(sp.Symbol("printed") - sp.Symbol("right"), slip)
 # The engine is given (1) in fixed axes, and uses energies. Its equations must be (3) and (4).
 
 # %%
-model = rk.derive("flexible_structure")
 in_engine = {p.name: p.symbol for p in model.parameters}
 names = {
     m_e: "mass", H_e: "height", I_eg: "inertia", m_b: "base_mass", H_b: "base_height",

@@ -55,6 +55,33 @@ from rockeom.thesis import equation
 use_style()
 
 # %% [markdown]
+# ## Your equation first
+#
+# Write down the equation of motion of a block that rocks freely about its right edge, $\theta > 0$
+# clockwise, before you read on. Type it in place of ours, as an equation of SymPy. `compare` reads
+# symbols by their names: `theta`, `theta_dot`, `theta_ddot`, `m`, `g`, `B`, `H`, `I_g`, and `R`,
+# `alpha`, `I_o`, `p` of equations (1), (5) and (8) below. `ground=()` is for ground at rest.
+
+# %%
+model = rk.derive(rk.RigidBlock)
+p, alpha, theta, theta_ddot = sp.symbols("p alpha theta theta_ddot")
+
+yours = sp.Eq(theta_ddot, -(p**2) * sp.sin(alpha - theta))
+print(model.compare(yours, mode="right", ground=()))
+
+# %% [markdown]
+# Equal, divided by the moment of inertia about the edge. Now with a mistake: the moment of the
+# weight has the wrong sense. The comparison names the term that differs.
+
+# %%
+m, g, B, H, I_o = sp.symbols("m g B H I_o")
+mistaken = sp.Eq(I_o * theta_ddot, m * g * (B * sp.cos(theta) - H * sp.sin(theta)))
+comparison = model.compare(mistaken, mode="right", ground=())
+print(comparison)
+assert model.compare(yours, mode="right", ground=())
+assert set(comparison.difference) == {"gravity"}
+
+# %% [markdown]
 # ## 1. Geometry, pivots and free body
 #
 # The block has the half-width $B$ and its centroid $G$ at the height $H$. Seen from a bottom edge,
@@ -259,7 +286,6 @@ assert sp.simplify(power - theta_d * still) == 0
 # equation (1) translates.
 
 # %%
-model = rk.derive("rigid_block")
 of = {parameter.name: parameter.symbol for parameter in model.parameters}
 to_polar = {of["half_width"]: R * sp.sin(alpha), of["height"]: R * sp.cos(alpha)}
 to_polar |= {GROUND_X: a_g, GROUND_Y: 0}

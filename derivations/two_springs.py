@@ -68,6 +68,37 @@ use_style()
 sp.init_printing()
 
 # %% [markdown]
+# ## Your equation first
+#
+# The structure stands on two springs $k_f$ with dampers $c_f$, a distance $2B$ apart, and the
+# centre of its base is guided vertically. Write down the moments about this centre while both
+# springs press and the ground rests, and type them in place of ours. `compare` reads symbols by
+# their names: `theta`, `theta_dot`, `theta_ddot`, `heave_ddot` for the rise of the centre, and the
+# letters of this notebook.
+
+# %%
+model = rk.derive(rk.TwoSpringStructure)
+c_f, theta_dot, theta_ddot, heave_ddot = sp.symbols("c_f theta_dot theta_ddot heave_ddot")
+first_moment = m_e * H_e + m_b * H_b
+about_centre = I_eg + m_e * H_e**2 + I_bg + m_b * H_b**2
+
+inertia = about_centre * theta_ddot - first_moment * sp.sin(theta) * heave_ddot
+springs = 2 * B**2 * sp.cos(theta) * (k_f * sp.sin(theta) + c_f * sp.cos(theta) * theta_dot)
+yours = sp.Eq(inertia + springs, first_moment * g * sp.sin(theta))
+print(model.compare(yours, mode="both", ground=()))
+
+# %% [markdown]
+# Now with the moment of one foot instead of two. The comparison names the terms that differ. Try
+# small rotations, too, with $\theta$ for $\sin\theta$: that is another equation, and it says so.
+
+# %%
+mistaken = sp.Eq(inertia + springs / 2, first_moment * g * sp.sin(theta))
+comparison = model.compare(mistaken, mode="both", ground=())
+print(comparison)
+assert model.compare(yours, mode="both", ground=())
+assert set(comparison.difference) == {"springs and forces", "damping"}
+
+# %% [markdown]
 # ## 1. The structure and its forces
 #
 # The superstructure $m_e$ is at the height $H_e$ above the feet, the base $m_b$ at $H_b$. Each foot
@@ -416,7 +447,6 @@ plt.show()
 # closed forms must be (4) and (6), and its numbers must lie on them.
 
 # %%
-model = rk.derive("two_spring_structure")
 in_engine = {p.name: p.symbol for p in model.parameters}
 back = {in_engine[name]: symbol for symbol, name in names.items()}
 back |= {in_engine["foundation_stiffness"]: k_f, LOAD: P}

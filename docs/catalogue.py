@@ -34,7 +34,8 @@ LONGEST_REST = 300  # characters of LaTeX; a longer remainder tells a reader not
 
 def writers() -> dict[str, Callable[..., str]]:
     """What is written in the places of pages, by the word that a place names."""
-    import gallery  # which is written with what is here
+    import derived  # which are written with what is here
+    import gallery
 
     return {
         "overview": overview,
@@ -48,6 +49,7 @@ def writers() -> dict[str, Callable[..., str]]:
         "help": help_text,
         "gallery": gallery.gallery,
         "notebooks": notebooks.cards,
+        "derived": derived.cards,
     }
 
 

@@ -15,6 +15,7 @@ ROOT = HERE.parent
 sys.path[:0] = [str(ROOT), str(HERE)]
 
 import catalogue  # noqa: E402
+import derived  # noqa: E402
 import explorers  # noqa: E402
 import gallery  # noqa: E402
 import notebooks  # noqa: E402
@@ -163,6 +164,7 @@ def resolve_short_name(app, env, node, contnode):
 
 def setup(app) -> None:
     notebooks.copy()
+    derived.copy()
     app.add_config_value("code", CODE, "env")  # where the code changed, every page is read again
     app.connect("source-read", catalogue.fill)
     app.connect("source-read", leave_out_links_to_code)

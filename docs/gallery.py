@@ -253,6 +253,7 @@ def _structure_card(name: str) -> str:
             f"**[{cls.__name__}](#rockeom.{cls.__name__})**",
             _image(picture, f"structure-{name}", f"{cls.__name__}, sketched, and its motion"),
             text,
+            f"[Its equations](derived/{name}.md)",
             f'<a href="{EXPLORERS}/{name}.html">Move it on a page with sliders</a>',
             _python(f"{example.structure}\n{example.run}"),
         ]

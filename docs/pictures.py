@@ -1,8 +1,9 @@
-"""Draw the pictures of README.md into docs/images: ``python docs/pictures.py``."""
+"""Draw the pictures of README.md and generated/ into docs/images: ``python docs/pictures.py``."""
 
 import io
 from pathlib import Path
 
+import diagrams
 import gallery
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,6 +13,7 @@ import rockeom as rk
 from rockeom.cli import demo
 from rockeom.drawing import style
 from rockeom.plots import animate, draw_structure
+from rockeom.structures.classes import SHIPPED
 
 FOLDER = Path(__file__).parent / "images"
 FRAMES_PER_SECOND = 15.0
@@ -49,6 +51,13 @@ def sketch(structure: rk.Structure, state: dict[str, float]) -> Figure:
     return figure
 
 
+def free_body(name: str) -> Image.Image:
+    """The free-body diagram of a shipped structure."""
+    data = io.BytesIO()
+    diagrams.diagram(name).savefig(data, dpi=110, bbox_inches="tight", facecolor="white")
+    return Image.open(data).convert("RGB").convert("P", palette=Image.Palette.ADAPTIVE, colors=32)
+
+
 def statue(end: float = 7.0) -> list[Image.Image]:
     """A statue under El Centro 1940, which rocks at a peak of 0.5 g and falls at 0.6 g."""
     block = rk.RigidBlock(half_width=0.25, half_height=0.9)
@@ -84,6 +93,9 @@ if __name__ == "__main__":
     drawn = {name: gallery.sketched(name) for name in EXAMPLES} | {"shear_frame": shear_frame()}
     for name, (structure, state) in drawn.items():
         sketch(structure, state).savefig(FOLDER / f"{name}.png", dpi=110)
+    (FOLDER / "free_body").mkdir(exist_ok=True)
+    for name in SHIPPED:
+        free_body(name).save(FOLDER / "free_body" / f"{name}.png", optimize=True)
     first, *others = statue()
     first.save(
         FOLDER / "statue.gif",

@@ -165,6 +165,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
         ("states", ", ".join(module.STATES)),
         ("modes", ", ".join(module.MODES)),
         ("impact laws", _laws(module)),
+        ("equations", _where_derived(of.model, arguments)),
     ]
     return "\n".join(
         [
@@ -177,6 +178,13 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
             *_of_support(of, module, arguments),
         ]
     )
+
+
+def _where_derived(name: str, arguments: Mapping[str, int | str]) -> str:
+    """The command that shows the equations, and the page that has them with a drawing."""
+    command = " ".join(["rockeom derive", name, *(f"{k}={v}" for k, v in arguments.items())])
+    page = f"; with a drawing in generated/{name}.md" if name in SHIPPED and not arguments else ""
+    return command + page
 
 
 def _by_dimensions(of: type[Structure]) -> list[str]:

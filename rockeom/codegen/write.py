@@ -7,12 +7,17 @@ from pathlib import Path
 from rockeom.codegen.classes import CLASSES, DECLARATIONS, classes, declarations
 from rockeom.codegen.module import module_text
 from rockeom.codegen.names import string
+from rockeom.codegen.operations import operations
 from rockeom.codegen.tables import class_name
-from rockeom.symbolic import SHIPPED
+from rockeom.symbolic import SHIPPED, Model, RockingModel
+from rockeom.symbolic.text.page import to_markdown
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
 """The folder of a checkout; an installed package holds the files in rockeom/generated."""
 
+
+DRAWINGS = "../docs/images/free_body"
+"""The drawings that `docs/pictures.py` makes, as seen from the pages."""
 
 INDEX = "shipped_structures.py"
 
@@ -51,8 +56,23 @@ def expected_files(
                 f"{build.__module__}.{name} declares a structure named {model.name!r}: give both "
                 "one name"
             )
-        yield folder / f"{name}.py", module_text(model)
-        yield folder / f"{name}.md", model.markdown()
+        module = module_text(model)
+        yield folder / f"{name}.py", module
+        yield folder / f"{name}.md", page_text(model, module)
+
+
+def page_text(model: RockingModel | Model, module: str) -> str:
+    """Everything derived of a structure, with its drawing and the operations of its module."""
+    title, derived = model.markdown().split("\n\n", 1)
+    drawing = f"![{model.hybrid.title}: forces and lengths]({DRAWINGS}/{model.name}.png)"
+    counted = to_markdown(operations(model.hybrid, module))
+    return "\n\n".join([title, drawing, _CAPTION, derived.rstrip("\n"), counted])
+
+
+_CAPTION = """\
+*A displaced state, with weights, d'Alembert's forces of the horizontal ground acceleration, and
+forces of the ground at closed contacts; forces of members that end at the ground are not drawn.*
+""".replace("\n", " ").strip()
 
 
 def write_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> list[Path]:

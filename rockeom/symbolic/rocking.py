@@ -172,6 +172,9 @@ class RockingModel(HybridModel, Declared):
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -318,12 +321,25 @@ class RockingModel(HybridModel, Declared):
         return compared(self, equation, str(mode), ground)
 
     def lambdify(self) -> dict[str, NumpyMode]:
-        """Vectorised NumPy functions of every mode, see `numpy_functions`.
+        """NumPy functions of arrays for every mode, for notebooks and checks of other programs.
 
         Returns
         -------
         dict of str to NumpyMode
             Functions by the name of the mode.
+
+        Notes
+        -----
+        A simulation never calls them: its machine code comes from the text that `rockeom generate`
+        prints. Tests hold both, and numba's compilation of the text, equal at random states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> right = rk.derive(block).lambdify()["right"]
+        >>> right.accelerations([0.05, 0.0], block.parameters(), ax=1.0).round(3)  # rad/s2
+        array([-5.242])
         """
         return numpy_functions(self)
 
@@ -333,6 +349,7 @@ class Description(TypedDict, total=False):
 
     overturning: sp.Expr
     reference: str
+    sources: Mapping[str, str]
     members: Iterable[Member]
     falls: Mapping[Coordinate, sp.Expr]
 
@@ -386,8 +403,8 @@ def rocking_structure(
         Name of the body that carries the load of a pushover.
     **declared : object
         `elastic_energy`, `dissipation`, `beside_feet`, `small` and `elements` as in `Mode`,
-        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`, `members`
-        and `falls` as in `RockingModel`.
+        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`,
+        `sources`, `members` and `falls` as in `RockingModel`.
 
     Returns
     -------

@@ -153,6 +153,7 @@ def test_models_lists_all_within_the_width_of_a_page(capsys):
 def test_model_explains_every_parameter_that_set_takes(name, capsys):
     assert main(["models", name]) == 0
     text = capsys.readouterr().out
+    assert f"equations    rockeom derive {name}; with a drawing in generated/{name}.md\n" in text
     assert f"states       {', '.join(rk.derive(name).states)}\n" in text
     declared = {p.name: p for p in rk.derive(name).parameters}
     for taken, default in SHIPPED[name].defaults().items():
@@ -181,6 +182,7 @@ def test_models_lists_families_and_what_they_stand_on(capsys):
 def test_models_explains_a_family_by_lists_and_what_its_support_takes(capsys):
     assert main(["models", "shear_frame", "storeys=1", "support=sliding"]) == 0
     text = capsys.readouterr().out
+    assert "equations    rockeom derive shear_frame storeys=1 support=sliding\n" in text
     for name in rk.ShearFrame.defaults():
         if name != "support":
             assert sum(line.startswith(f"{name} ") for line in text.splitlines()) == 1

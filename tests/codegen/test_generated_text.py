@@ -1,13 +1,17 @@
 """The generated text itself: the same for everybody, self-contained, marked by its hash."""
 
 import ast
+import functools
 import hashlib
 import importlib
 import inspect
+import math
+import operator
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 import sympy as sp
@@ -15,6 +19,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.codegen import check_generated, module_text, write_generated
 from rockeom.codegen.names import WORDS, Names, is_own, names_in
+from rockeom.codegen.operations import operations
 from rockeom.codegen.printer import python
 from rockeom.symbolic import SHIPPED
 from tests.contact.declared import pulled_block
@@ -24,7 +29,9 @@ STRUCTURES = pytest.mark.parametrize("name", rk.models())
 WRITTEN = """
 import sys, rockeom as rk
 from rockeom.codegen import module_text
-said = module_text(rk.derive("sliding_block")), rk.derive("flexible_structure").markdown()
+from rockeom.codegen.write import page_text
+flexible = rk.derive("flexible_structure")
+said = module_text(rk.derive("sliding_block")), page_text(flexible, module_text(flexible))
 sys.stdout.buffer.write("\\f".join(said).encode())
 """
 
@@ -50,6 +57,53 @@ def test_same_text_and_page_in_every_process():
     assert text == text_of("sliding_block")
     module = importlib.import_module("rockeom.generated.flexible_structure")
     assert page == Path(module.__file__).with_suffix(".md").read_text(encoding="utf-8")
+
+
+class Counted(float):
+    """A number that counts its operations, in the order of the columns of a page."""
+
+    counts: ClassVar[list[int]] = []
+
+
+def counting(kind, operation):
+    def counted(*numbers):
+        Counted.counts[kind] += 1
+        return Counted(operation(*map(float, numbers)))
+
+    return counted
+
+
+for kind, signs in enumerate((("add", "sub"), ("mul",), ("truediv",))):
+    for sign in signs:
+        whole = getattr(operator, sign)
+        setattr(Counted, f"__{sign}__", counting(kind, whole))
+        setattr(Counted, f"__r{sign}__", counting(kind, lambda a, b, of=whole: of(b, a)))
+Counted.__pow__ = lambda x, n: functools.reduce(operator.mul, [x] * n)
+Counted.__neg__ = lambda x: Counted(-float(x))
+
+
+COUNTED = [
+    ("rigid_block", "accelerations_left_right", "`left`, `right`"),
+    ("flexible_structure", "accelerations_both", "`both`"),
+    ("sliding_block", "rates_right_slips", "where right slips, or its mirror image"),
+    ("stacked_blocks", "rates_right_sticks", "where right sticks, or its mirror image"),
+]
+
+
+@pytest.mark.parametrize(("name", "function", "where"), COUNTED)
+def test_operations_of_a_page_are_those_that_numbers_count(name, function, where, monkeypatch):
+    module = importlib.import_module(f"rockeom.generated.{name}")
+    functions = [counting(3, math.sin), counting(3, math.cos)]
+    monkeypatch.setattr(module, "sine_cosine", lambda x: tuple(f(x) for f in functions))
+    called = getattr(module, function)
+    monkeypatch.setattr(Counted, "counts", [0, 0, 0, 0])
+    constants = [Counted(0.1 * i + 1) for i in range(200)]
+    given = dict.fromkeys(inspect.signature(called).parameters, Counted(0.3)) | {"p": constants}
+    called(**given)
+    (row,) = (
+        r for r in operations(rk.derive(name).hybrid, text_of(name))[-1].rows if where == r[0]
+    )
+    assert row[1:] == tuple(map(str, Counted.counts))
 
 
 @STRUCTURES

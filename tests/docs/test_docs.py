@@ -6,13 +6,15 @@ import re
 import sys
 from importlib.util import find_spec
 
+import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import rockeom
 from tests.pages import ROOT, cells, names_of, text_of
 
 DOCS = ROOT / "docs"
-PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
+PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations", "derived"} & set(p.parts)]
 GROUPS = tuple(
     f"analysis.{group}"
     for group in ["design", "dynamics", "formulas", "identification", "risk", "validation"]
@@ -258,6 +260,31 @@ def test_every_shipped_structure_has_an_example_that_makes_it(gallery):
         assert example.run.startswith("run = rk.simulate(structure, ")
 
 
+def test_a_page_of_generated_leads_to_its_drawing_its_class_and_the_catalogue():
+    derived = _module("derived")
+    for name in rockeom.models():
+        (anchor, *paths) = LINK.findall(derived.page(name))
+        assert anchor.removeprefix("#") in documented()
+        assert all((DOCS / path.partition("#")[0].removeprefix("../")).exists() for path in paths)
+        assert f"(derived/{name}.md)" in derived.cards()
+    assert "[2-6](../equations/chapter-2.md#equation-2-6)" in derived.page("rigid_block")
+    assert "[D-25](../equations/appendix-d.md#equation-d-25)" in derived.page("flexible_structure")
+
+
+DRAWN = {
+    "rigid_block": r"B|H|N|F|\theta|m g|m \ddot x_g",
+    "flexible_structure": r"B|H_e|H_b|N|F|u|\theta|m_e g|m_b g|m_e \ddot x_g|m_b \ddot x_g",
+}
+
+
+@pytest.mark.parametrize(("name", "labels"), [*DRAWN.items()])
+def test_free_body_diagram_has_the_symbols_of_the_equations(name, labels, monkeypatch):
+    monkeypatch.syspath_prepend(str(DOCS))
+    drawing = _module("diagrams").Diagram(name)
+    drawing.draw(Figure().add_subplot())
+    assert drawing.labels == set(labels.split("|"))
+
+
 def test_a_figure_of_the_thesis_is_on_a_card(gallery, tmp_path, monkeypatch):
     monkeypatch.setattr(gallery, "PICTURES", tmp_path)
     card = gallery._figure_card("2-10")
@@ -315,11 +342,54 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
 
 @pytest.mark.parametrize(
     "name",
-    ["structures.md", "validation.md", "how-to/reading-a-response.md", "how-to/equations.md"],
+    [
+        "structures.md",
+        "validation.md",
+        "how-to/reading-a-response.md",
+        "how-to/equations.md",
+        "how-to/own-integrator.md",
+    ],
 )
 def test_page_runs(name, capsys):
     names_of(cells(text_of(f"docs/{name}")))
     assert capsys.readouterr().out
+
+
+OWN_INTEGRATOR = text_of("docs/how-to/own-integrator.md")
+
+
+def test_six_lines_lead_from_a_declaration_to_functions():
+    imports, _, six = cells(OWN_INTEGRATOR)[0].rpartition("import rockeom as rk\n\n")
+    assert imports == "import sympy as sp\n\n"
+    assert len(six.splitlines()) == 6
+    names = names_of(cells(OWN_INTEGRATOR)[:1])
+    pier = rockeom.FlexibleStructure(
+        mass=2.0, height=3.0, inertia=0.5, base_mass=1.5, base_height=0.4, base_inertia=0.2,
+        half_width=0.6, stiffness=50.0, damping=0.3, gravity=9.81,
+    )  # fmt: skip
+    values = pier.parameters().values()
+    mass_matrix, forcing = names["mass_and_forcing"]([0.0, 0.0], [0.0, 0.0], values, 0.0, 0.0)
+    inertia = 2.0 * 3.0**2 + 0.5 + 1.5 * 0.4**2 + 0.2  # about the middle of the base
+    parallel = (2.0 + 1.5) * 0.6**2
+    assert mass_matrix == pytest.approx(np.array([[inertia + parallel, 6.0], [6.0, 2.0]]))
+    assert forcing.ravel() == pytest.approx([-(2.0 + 1.5) * 9.81 * 0.6, 0.0])
+    (spin, sway), e = names["velocities_and_e"]([0.0, 0.0], [-0.3, 0.0], values)
+    assert e == pytest.approx((inertia - parallel) / (inertia + parallel))
+    assert 2.0 * (3.0 * spin + sway) == pytest.approx(2.0 * 3.0 * -0.3)  # across the column
+    moment = (inertia + parallel) * spin + 6.0 * sway
+    assert moment == pytest.approx((inertia - parallel) * -0.3)
+
+
+def test_search_finds_the_guide_to_the_equations_first():
+    """A main entry of the index scores 100, a title or an object 26 at most."""
+    entries = {
+        page: re.findall(r"^```{index} (.*)$", page.read_text("utf-8"), re.M) for page in PAGES
+    }
+    (page,) = (page for page, listed in entries.items() if listed)
+    assert page == DOCS / "how-to" / "own-integrator.md"
+    listed = entries[page][0].lower().split(", ")
+    searched = {"mass matrix", "equations of motion", "lambdify", "sympy"}
+    assert {f"! {words}" for words in searched} <= {*listed}
 
 
 def test_table_of_structures_is_complete_and_right():

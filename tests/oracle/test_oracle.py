@@ -5,7 +5,16 @@ import pytest
 
 import rockeom as rk
 from tests.machine_code import functions
-from tests.oracle.ways import differences, flat, printed, python, run
+from tests.oracle.ways import (
+    ROUNDING,
+    by_numba,
+    by_numpy,
+    differences,
+    flat,
+    printed,
+    python,
+    run,
+)
 from tests.typical import S1
 
 STRUCTURES = {
@@ -19,6 +28,17 @@ def test_functions_of_a_structure_have_the_bits_of_python(structure):
     module = structure.module
     plain, machine = python(module, "DOP853"), printed(module)
     assert not differences(module, structure.vector, plain, machine, seeds=30)
+
+
+def test_numpy_functions_numba_and_machine_code_give_the_same_rates():
+    """Of other structures by `make oracle`, and by tests/codegen/test_generated_functions.py."""
+    structure = STRUCTURES["flexible structure"]
+    module, vector = structure.module, structure.vector
+    machine = printed(module)
+    jitted = {"ask_rates": by_numba(module)["ask_rates"]}
+    arrays = by_numpy(module, rk.derive(rk.FlexibleStructure))
+    assert not differences(module, vector, jitted, machine, seeds=30)
+    assert not differences(module, vector, arrays, machine, seeds=30, ulps=ROUNDING)
 
 
 def test_contraction_changes_last_digits_only():

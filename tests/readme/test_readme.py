@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import numpy as np
 import pytest
 
 import rockeom as rk
@@ -42,6 +43,15 @@ def test_statue_rocks_at_half_g_and_overturns_a_tenth_higher_as_the_text_says(ex
     assert f"rocks to {abs(share):.0%} of its overturning angle".replace("%", " %") in text
     assert f"coefficient is at least {run.support.friction_demand:.2f}" in text
     assert rk.simulate(statue, record.scaled_to(pga="0.6 g")).outcome is rk.Outcome.OVERTURNED
+
+
+def test_equation_in_the_text_is_the_printed_one_and_its_function_that_of_the_model(examples):
+    names, _ = examples
+    assert blocks("text") == [f"{names['equations']}\n"]
+    state, values = [0.02, 0.01, -0.3, 0.1], names["pier"].parameters()
+    solved = names["rates"](state[:2], state[2:], values.values(), 1.2, 0.4)
+    expected = names["model"].lambdify()["right"].rates(state, values, ax=1.2, ay=0.4)
+    np.testing.assert_allclose(np.ravel(solved), expected, rtol=1e-12)
 
 
 def test_pier_rocks_on_both_feet_within_its_assumptions(examples):

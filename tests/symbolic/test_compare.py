@@ -59,6 +59,47 @@ def test_damping_coriolis_and_springs_are_told_apart():
         assert PIER.compare(row + term, mode="left").difference == {name: term}
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        "two_spring_structure",
+        "two_spring_cart",
+        "dirac_delta_block",
+        "uplifting_oscillator",
+        "substitute_gravity_wall",  # with named functions
+    ],
+)
+def test_modes_whose_rotation_is_free_or_held_read_their_own_equation_and_no_other(name):
+    """On both springs and in flight the rotation is free, and has no side."""
+    model = rk.derive(name)
+    wrong = model.parameters[0].symbol * sp.sin(model.rotation.position)
+    for mode in model.mode_names:
+        row = model.equations(mode).residual[0]
+        assert model.compare(row, mode=mode).equal
+        held = model.rotation not in model.mode(mode).coordinates
+        assert model.compare(row + wrong, mode=mode).equal == held
+
+
+def test_side_of_a_free_rotation_is_its_sign():
+    s = rk.derive("two_spring_structure").symbols
+    row = rk.derive("two_spring_structure").equations("both").residual[0]
+    turned = s.mass * s.gravity * sp.Abs(s.theta)
+    compare = rk.derive("two_spring_structure").compare
+    assert compare(row + turned - s.mass * s.gravity * s.s * s.theta, mode="both").equal
+    assert not compare(row + turned, mode="both")
+
+
+def test_constants_of_a_model_are_read_by_their_letters_and_by_what_they_stand_for():
+    """Stiffness of the cart with both feet down, thesis 5-25; letters of the thesis, too."""
+    stiffness = "(2*B**2*k_f - (m_e*H_e + m_b*H_b)*g)/H_e**2"
+    cart, weight = rk.derive("two_spring_cart"), sp.Symbol("g") * sp.Symbol("I_{e,g}")
+    for k_0 in (stiffness, "contact_stiffness", "k_0"):
+        typed = sp.sympify(f"(m_e + m_b)*u_ddot + {k_0}*u")
+        assert cart.compare(typed, mode="both_left", ground=()).equal
+        assert not cart.compare(typed + weight, mode="both_left", ground=())
+    assert {*cart.compare(typed + weight, mode="both_left", ground=()).difference} == {"gravity"}
+
+
 def test_equation_without_ground_motion_is_equal_where_the_ground_rests():
     assert not BLOCK.compare(HOUSNER, mode="right")
     assert "ground=()" in str(BLOCK.compare(HOUSNER, mode="right"))

@@ -254,6 +254,47 @@ def test_reading_typeset_pushover_gives_the_derived_force(name, form):
         assert read(tex) == pytest.approx(force, rel=1e-12)
 
 
+def part_of(equations, what):
+    """A physical part of equations by its name on a page."""
+    if what == "inertia":
+        return equations.mass_matrix * equations.accelerations
+    first, *more = (getattr(equations, f"{x.split()[0]}_forces") for x in what.split(" and "))
+    return sum(more, first)
+
+
+@pytest.mark.parametrize(("name", "form"), DOCUMENTS)
+def test_each_part_of_an_equation_of_motion_is_what_its_name_says(name, form):
+    """And the rows of a page lose nothing of it."""
+    model = structure(name)
+    if model.search is not None:
+        return
+    modes = [m for m in (polar_model(model) if form == "polar" else model).modes if m.coordinates]
+    shown = [b for b in said(name, form) if isinstance(b, Display) and b.parts]
+    for mode, display in zip(modes, shown, strict=True):
+        values = values_of(next(m for m in model.modes if m.sides == mode.sides), 5)
+        read, exact = Reader(Notation(mode, model), values), Values(values)
+        for i, parts in enumerate(display.parts.values()):
+            for part in parts:
+                tex = re.sub(r"^= |^\+ | = 0$", "", part.tex)
+                value = read(f"-{tex[2:]}" if tex.startswith("- ") else tex)
+                assert value == pytest.approx(float(exact[part_of(mode.equations, part.what)[i]]))
+    marks = r"&|\s|\\quad|\\scriptstyle\\text\{[^}]*\}|\\notag\\\\"
+    rows = re.sub(marks, "", article(name, form)).replace("{-}", "-")
+    assert all(line.replace(" ", "") in rows for display in shown for line in display.lines)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_equations_of_a_page_are_numbered_from_one_on_and_in_latex_alike(name):
+    page = to_markdown(said(name, "width"), numbered=True)
+    numbers = [int(n) for n in re.findall(r"\\tag\{(\d+)", page)]
+    assert numbers == list(range(1, len(numbers) + 1))
+    assert len(numbers) == sum(len(b.lines) for b in said(name, "width") if isinstance(b, Display))
+    tex = article(name, "width")
+    aligned = re.findall(r"\\begin\{align\}(.*?)\\end\{align\}", tex, re.DOTALL)
+    rows = sum(block.count(r"\\") + 1 - block.count(r"\notag") for block in aligned)
+    assert rows == len(numbers)
+
+
 def test_flexible_structure_reads_as_the_thesis_prints_it():
     """The thesis, equations 5-34 and 5-35, with vertical acceleration added."""
     rotation, deformation = equation_lines(structure("flexible_structure").mode("right"), "polar")
@@ -397,7 +438,7 @@ def test_special_characters_in_a_users_words_compile(tmp_path):
 def test_markdown_survives_the_markdown_reader(name):
     """No mark-up that a Markdown reader would take for its own inside mathematics."""
     model = structure(name)
-    page = to_markdown(said(name, "width"))
+    page = to_markdown(said(name, "width"), numbered=True)
     for block in re.findall(r"\$\$(.*?)\$\$", page, re.DOTALL):
         assert "\n\n" not in block
         assert not re.search(r"^\s*[-+*=<>#]", block, re.MULTILINE), "a list, heading or quote"
@@ -405,7 +446,8 @@ def test_markdown_survives_the_markdown_reader(name):
         escapes = re.findall(r"\\[^A-Za-z]", block)
         assert all(e == "\\\\" for e in escapes), "an escape that Markdown eats"
         assert all(row.endswith("\\\\") for row in block.split("\n")[2:-3])
-        assert all(width(row) < 1.3 * LINE for row in block.split("\n"))
+        rows = [row.split("&&")[0].split(r"\tag")[0] for row in block.split("\n")]
+        assert all(width(row) < 1.3 * LINE for row in rows)
     for entry in (*model.parameters, *model.definitions, *model.coordinates):
         unit = re.sub("(?<=[a-z])2", "²", entry.unit)
         assert f" | `{entry.name}` | {unit} | {entry.meaning} |" in page
@@ -415,7 +457,7 @@ def test_markdown_survives_the_markdown_reader(name):
 
 def test_pages_of_a_model_are_what_is_said_of_it():
     model = structure("rigid_block")
-    assert markdown_page(model) == to_markdown(said("rigid_block", "width"))
+    assert markdown_page(model) == to_markdown(said("rigid_block", "width"), numbered=True)
     for form in ("width", "polar"):
         assert model.latex(form) == latex_document(model, form) == article("rigid_block", form)
     assert model.markdown() == markdown_page(model)

@@ -205,7 +205,7 @@ class ViscousDamping:
     coefficient : float
         Coefficient c [N s/m].
     below : float, optional
-        Displacement |x| below which it acts [m].
+        Size of the displacement below which it acts [m].
     """
 
     coefficient: float
@@ -229,7 +229,7 @@ class ViscousDamping:
         period : float
             Period T [s].
         below : float, optional
-            Displacement |x| below which it acts [m].
+            Size of the displacement below which it acts [m].
 
         Returns
         -------
@@ -408,7 +408,7 @@ class OscillatorResponse(NamedTuple):
 
     @property
     def peak(self) -> np.ndarray:
-        """Largest |displacement| of each motion [m]."""
+        """Largest size of the displacement of each motion [m]."""
         return np.abs(self.displacement).max(axis=0)
 
 

@@ -3,13 +3,14 @@
 Each check raises ValueError, which names the declaration, the item and the remedy.
 """
 
+import re
 from collections.abc import Collection, Mapping, Set
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from rockeom.compiler.types import MATH
-from rockeom.numbers.checks import require_word
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.checks.common import (
@@ -38,7 +39,7 @@ from rockeom.symbolic.checks.modes import (
     expressions_of_modes,
     names_of_modes,
 )
-from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.hybrid import SOURCED, HybridModel
 from rockeom.symbolic.model import GROUND, GROUND_X, GROUND_Y, Coordinate, Member
 from rockeom.symbolic.outputs import LOAD_POINT, names_of
 from rockeom.symbolic.statics import LOAD
@@ -72,6 +73,12 @@ def _names(model: HybridModel, names: Names) -> None:
     if not model.name.isascii():
         raise ModelError("a file is called by the model's name: write it in ASCII")
     valid.texts(model.name, title=model.title, reference=model.reference)
+    for of, source in model.sources.items():
+        require_word("sources", of, [*(c.name for c in model.coordinates), *SOURCED], model.name)
+        if not isinstance(source, str) or re.search(r"[^\w ,.;:()/-]|_", source):
+            raise InputError(f"sources of {of}", source, model.name).give(
+                'a text of letters, digits and punctuation, such as "thesis 2-9"'
+            )
     items = [(f"parameter {p.symbol}", p.name) for p in model.parameters]
     items += [(f"coordinate {c.position}", c.name) for c in model.coordinates]
     for item, name in (*items, *names.items):

@@ -43,7 +43,12 @@ RESTITUTION = Parameter(
 )
 
 
-def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingModel:
+def pinned(
+    of: Superstructure,
+    title: str = "",
+    reference: str = "",
+    sources: Mapping[str, str] | None = None,
+) -> RockingModel:
     """A model on feet that may lift, and neither slide nor bounce."""
     theta = ROTATION.position
     return rocking_structure(
@@ -57,6 +62,7 @@ def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingM
         elastic_energy=of.elastic_energy,
         dissipation=of.dissipation,
         reference=reference,
+        sources=sources or {},
         members=of.members,
         elements=of.elements,
     )

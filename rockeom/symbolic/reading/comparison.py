@@ -192,7 +192,7 @@ def _side(model: HybridModel, mode: str) -> int | None:
 
 def _plain(name: str) -> str:
     """A name of a symbol without the marks of LaTeX."""
-    return name.translate(dict.fromkeys(map(ord, "\\{} ")))
+    return name.translate(dict.fromkeys(map(ord, "\\{}, ")))
 
 
 def _names(model: HybridModel) -> dict[str, sp.Expr]:
@@ -253,7 +253,8 @@ def _typed(
             f"its functions are of {', '.join(times)}: write all of them at one time t"
         )
     side = _side(model, mode)
-    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.Integer(side or 0)}
+    q = model.rotation.position
+    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.sign(q) if side is None else sp.Integer(side)}
     rates = {rate: sp.Dummy() for rate in expr.atoms(sp.Derivative)}
     others = expr.xreplace(rates).atoms(AppliedUndef, sp.Symbol) - {*rates.values()}
     for item in sorted(others | rates.keys(), key=str):
@@ -263,7 +264,6 @@ def _typed(
             put[item] = _meant(item.name, names)
     put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
-    q = model.rotation.position
     expr = _written_out(model, expr, mode)
     if side is not None:
         expr = expr.subs({sp.sign(q): side, sp.Abs(q): side * q})

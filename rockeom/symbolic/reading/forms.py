@@ -53,7 +53,7 @@ def _nondimensional(mode: Mode) -> Equations:
     }
 
     def over(divisor: sp.Expr) -> Callable[[sp.Expr], sp.Expr]:
-        return lambda e: sp.expand(sp.simplify(e.subs(put, simultaneous=True) / divisor))
+        return lambda e: sp.expand(sp.cancel(e.subs(put, simultaneous=True) / divisor))
 
     forces = polar.map(over(moment * alpha))
     energies = polar.map(over(moment * alpha**2))

@@ -547,6 +547,7 @@ def controlled_wall_oscillator(
         if EDGE_DISTANCE in centre.parameters
         else 2 * B,
         reference="thesis 4-18, 4-20, 4-27 to 4-31, 4-39",
+        sources={"u": "thesis 4-27"},
     )  # fmt: skip
 
 
@@ -659,6 +660,7 @@ def substitute_gravity_wall(
         members=cables.members(sp.S.Zero, H - Hc),
         overturning=sp.pi / 3,  # far beyond overturning; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
+        sources={"theta": "thesis 4-32" if fixed else "thesis 4-40"},
     )  # fmt: skip
     return _one_ratio(_with_full_contact(model, cables) if fixed else model)
 

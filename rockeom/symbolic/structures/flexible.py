@@ -29,4 +29,5 @@ def flexible_structure(support: str = "pinned", **details: Any) -> Any:
     if support != "pinned" or details:
         return standing(elastic_column(), support, **details)
     title = "Flexible structure on rigid ground (Model C)"
-    return pinned(elastic_column(), title, reference="thesis 5-34, 5-35, D-1 to D-29")
+    sources = {"theta": "thesis 5-34, D-25", "u": "thesis 5-35, D-26"}
+    return pinned(elastic_column(), title, "thesis 5-34, 5-35, D-1 to D-29", sources)

@@ -19,4 +19,5 @@ def lumped_mass_structure(support: str = "pinned", **details: Any) -> Any:
     if support != "pinned" or details:
         return standing(rigid(), support, **details)
     title = "Rigid lumped-mass structure on rigid ground (Model A)"
-    return pinned(rigid(), title, reference="thesis 5-8 to 5-14")
+    sources = {"theta": "thesis 5-11", "impact": "thesis 5-12, 5-13", "energy_ratio": "thesis 5-14"}
+    return pinned(rigid(), title, "thesis 5-8 to 5-14", sources)

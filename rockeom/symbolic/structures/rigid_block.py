@@ -55,6 +55,12 @@ def rigid_block() -> RockingModel:
         half_width=b,
         gravity=GRAVITY.symbol,
         reference="Housner (1963); thesis 2-2, 2-6, 2-9, 3-8, 3-9",
+        sources={
+            "theta": "thesis 2-2, 2-9",
+            "energy_ratio": "thesis 2-6",
+            "horizontal_reaction": "thesis 3-8",
+            "vertical_reaction": "thesis 3-9",
+        },
     )
 
 
@@ -86,6 +92,7 @@ def slender_block() -> RockingModel:
         gravity=GRAVITY.symbol,
         small=(theta, ROTATION.velocity, a, sp.Symbol("a_x", real=True)),
         reference="Housner (1963); thesis 2-3, 2-14",
+        sources={"theta": "thesis 2-3, 2-14"},
     )
 
 
@@ -119,4 +126,5 @@ def nondimensional_block() -> RockingModel:
         rotation_angle=angle,
         overturning=sp.pi / (2 * a),
         reference="Hogan (1989); thesis 2-13",
+        sources={"x": "thesis 2-13"},
     )

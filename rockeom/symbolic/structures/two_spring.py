@@ -175,6 +175,7 @@ def two_spring_cart() -> RockingModel:
         definitions=(stiffness, lift_off, force, top),
         rigid_velocity_ratio=lumped_mass_structure().velocity_ratio,
         reference="thesis 5-15, 5-25, 5-33",
+        sources={"u": "thesis 5-15"},
     )
 
 

@@ -3,17 +3,24 @@
 Text holds mathematics between dollar signs and code between backquotes.
 """
 
+from __future__ import annotations
+
 import html
 import re
 import textwrap
 import unicodedata
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import count, groupby, takewhile
+from typing import NamedTuple
 
 from rockeom.symbolic.text.plain import greek_letter, mathematics
 
 LINE = 70.0
 """Width of a line of mathematics on the page, in letters."""
+
+BY_PART = 54.0
+"""Width of a line that its name follows."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +35,31 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
 
 
+class Part(NamedTuple):
+    """Terms of an equation, with the sign before them, and what they are in words."""
+
+    tex: str
+    what: str
+
+
 @dataclass(frozen=True)
 class Display:
-    """Displayed equations, one a line."""
+    """Displayed equations, one a line.
+
+    parts : of lines, by which those are broken that do not fit the page. sources : of lines, where
+    others have that equation.
+    """
 
     lines: tuple[str, ...]
+    parts: Mapping[str, tuple[Part, ...]] = field(default_factory=dict)
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of_parts(cls, equations: Iterable[Iterable[Part]]) -> Display:
+        """Equations in parts."""
+        parts = [tuple(equation) for equation in equations]
+        lines = tuple(" ".join(part.tex for part in of_one) for of_one in parts)
+        return cls(lines, dict(zip(lines, parts, strict=True)))
 
 
 Block = Heading | Table | Display | str
@@ -91,7 +118,9 @@ def broken(tex: str, limit: float) -> list[str]:
     """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
     lines = []
     while width(tex) > limit:
-        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
+        sized = ((width(tex[:i]), d, -i) for d, i in _cuts(tex))
+        fitting = takewhile(lambda cut: cut[0] <= limit, sized)
+        cuts = [(d, i) for size, d, i in fitting if 0.4 * limit < size]
         if not cuts:
             break
         cut = -min(cuts)[1]
@@ -103,7 +132,7 @@ def broken(tex: str, limit: float) -> list[str]:
 # --- the three kinds of page
 
 
-def _layout(lines: tuple[str, ...]) -> list[list[str]]:
+def _layout(lines: Sequence[str]) -> list[list[str]]:
     """Each equation in rows: aligned at = if all then fit the page, else broken before signs."""
     if all(" = " in line for line in lines):
         pairs = [line.split(" = ", 1) for line in lines]
@@ -113,12 +142,43 @@ def _layout(lines: tuple[str, ...]) -> list[list[str]]:
     for line in lines:
         sides = line.split(" = ", 1)
         if width(line) > LINE and width(sides[0]) > 0.4 * LINE:
-            first, *more = [*broken(sides[0], LINE), *broken(f"= {sides[1]}", LINE)]
+            found.append(_rows([*broken(sides[0], LINE), *broken(f"= {sides[1]}", LINE)]))
         else:
-            first, *more = broken(line, LINE)
-        # a sign that opens a line is no binary operator
-        found.append([f"& {re.sub('^-', '{-}', first)}", *(rf"& \quad {part}" for part in more)])
+            found.append(_rows(broken(line, LINE)))
     return found
+
+
+def _rows(pieces: list[str]) -> list[str]:
+    """Rows of an equation; a sign that opens one is no binary operator."""
+    first, *more = pieces
+    return [f"& {re.sub('^-', '{-}', first)}", *(rf"& \quad {piece}" for piece in more)]
+
+
+def _by_part(parts: Iterable[Part]) -> list[str]:
+    """Rows of an equation in its parts, with the name of each after its last row."""
+    pieces = []
+    for part in parts:
+        *more, last = broken(part.tex, BY_PART)
+        name = rf" && \scriptstyle\text{{{part.what}}}" if part.what else ""
+        pieces += [*more, last + name]
+    return _rows(pieces)
+
+
+def _numbered(display: Display, tag: Callable[[str], str]) -> Iterator[str]:
+    """Equations with a number each, those in parts apart from others, which may be wider.
+
+    tag : what stands behind an equation, by its source.
+    """
+    for apart, group in groupby(
+        display.lines, lambda line: width(line) > LINE and line in display.parts
+    ):
+        lines = list(group)
+        shown = [_by_part(display.parts[x]) for x in lines] if apart else _layout(lines)
+        equations = [
+            " \\notag\\\\\n".join(rows) + tag(display.sources.get(line, ""))
+            for line, rows in zip(lines, shown, strict=True)
+        ]
+        yield environment("align", equations)
 
 
 def _markdown_text(text: str) -> str:
@@ -130,9 +190,13 @@ def _markdown_text(text: str) -> str:
     )
 
 
-def to_markdown(blocks: list[Block]) -> str:
+def to_markdown(blocks: list[Block], numbered: bool = False) -> str:
     """A page; the texts of a declaration are data and hold no HTML."""
-    parts = []
+    parts, numbers = [], count(1)
+
+    def tag(source: str) -> str:
+        return rf" \tag{{{next(numbers)}{source and ', '}{source}}}"
+
     for block in blocks:
         match block:
             case Heading(level, text):
@@ -144,10 +208,11 @@ def to_markdown(blocks: list[Block]) -> str:
                     for cells in rows
                 ]
                 parts.append("\n".join(f"| {line} |" for line in table))
+            case Display() if numbered:
+                shown = (text.replace("<", r"\lt ") for text in _numbered(block, tag))
+                parts += [f"$$\n{text}\n$$" for text in shown]
             case Display(lines):
-                broken_lines = [
-                    line.replace("<", r"\lt ") for equation in _layout(lines) for line in equation
-                ]
+                broken_lines = [x.replace("<", r"\lt ") for each in _layout(lines) for x in each]
                 parts.append(f"$$\n{environment('aligned', broken_lines)}\n$$")
             case str(text):
                 parts.append(_markdown_text(text))
@@ -170,14 +235,18 @@ def to_latex(blocks: list[Block]) -> str:
                 columns = f"@{{}}{'l' * (len(header) - 1)}p{{0.5\\textwidth}}@{{}}"
                 table = [rf"\begin{{tabular}}{{{columns}}} \hline", *cells, r"\hline\end{tabular}"]
                 parts.append("\n".join(table))
-            case Display(lines):
-                equations = [" \\notag\\\\\n".join(equation) for equation in _layout(lines)]
-                parts.append(environment("align", equations))
+            case Display():
+                parts += _numbered(block, _latex_tag)
             case str(text):
                 parts.append(_latex_text(text))
     # an empty line before a display would open a paragraph of its own
     body = "\n\n".join(parts).replace("\n\n\\begin{align}", "\n\\begin{align}")
     return "\n".join([*_PREAMBLE, *_greek(body), r"\begin{document}", body, r"\end{document}", ""])
+
+
+def _latex_tag(source: str) -> str:
+    """The number, which LaTeX counts, and the source after it."""
+    return rf" \stepcounter{{equation}}\tag{{\theequation, {source}}}" if source else ""
 
 
 _PREAMBLE = (
@@ -238,8 +307,9 @@ def to_text(blocks: list[Block], width: int) -> str:
                 parts.append(f"{shown}\n{'=-.'[min(level, 3) - 1] * len(shown)}")
             case Table(_, rows):
                 parts.append(_table(rows, width))
-            case Display(lines):
-                parts.append("\n".join(_equation(line, width) for line in lines))
+            case Display(lines, _, sources):
+                equations = [_equation(x, width, sources.get(x, "")) for x in lines]
+                parts.append("\n".join(equations))
             case str(text):
                 parts.append(textwrap.fill(_prose(text), width))
     return "\n\n".join(parts) + "\n"
@@ -250,10 +320,11 @@ def _prose(text: str, quote: str = "'") -> str:
     return re.sub(r"\$([^$]*)\$", lambda m: mathematics(m[1]), text).replace("`", quote)
 
 
-def _equation(tex: str, width: int) -> str:
+def _equation(tex: str, width: int, source: str) -> str:
     """Lines that fit: the widths by which `broken` goes are estimates for another typeface."""
     for limit in range(width, 20, -4):
         first, *rest = (mathematics(line) for line in broken(tex, limit))
+        rest += [f"({source})"] if source else []
         lines = [f"  {first}", *(f"      {line}" for line in rest)]
         if max(map(_letters, lines)) <= width:
             break

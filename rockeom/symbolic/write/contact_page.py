@@ -8,13 +8,14 @@ from rockeom.codes import OPEN
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
+from rockeom.symbolic.fractions import cancelled, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.kinematics import sign_of_slip
-from rockeom.symbolic.text.page import Block, Display, Heading
+from rockeom.symbolic.text.page import Block, Display, Heading, Part
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.symbols import energies, listed
 
@@ -64,11 +65,11 @@ def _free_equations(of: ContactDeclaration, notation: Notation) -> list[Block]:
             for name, e in zip(forced[contact.name], contact.at(contact.side), strict=True):
                 arm = tidy(sp.diff(e, c.position))
                 pushes += [notation.write(arm * sp.Symbol(name))] if arm != 0 else []
-        lines.append(_equation(row, forces[k], notation, pushes))
+        lines.append(_equation(row, forces[k], of, notation, pushes))
     return [
         Heading(2, "Equations of motion"),
         "With the normal force $N$ and the friction $F$, positive to the right, at each point:",
-        Display(tuple(lines)),
+        Display.of_parts(lines),
         "Over an impact the rates jump and the impulses $P$ of these forces act: the same terms "
         "of accelerations, with the changes of the rates in place of the accelerations, are equal "
         "to the same terms of $N$ and $F$, with $P_N$ and $P_F$ in place of them. Each closing gap "
@@ -78,16 +79,21 @@ def _free_equations(of: ContactDeclaration, notation: Notation) -> list[Block]:
 
 
 def _equation(
-    row: Mapping[sp.Symbol, sp.Expr], forcing: sp.Expr, notation: Notation, pushes: Iterable[str]
-) -> str:
+    row: Mapping[sp.Symbol, sp.Expr],
+    forcing: sp.Expr,
+    of: ContactDeclaration,
+    notation: Notation,
+    pushes: Iterable[str] = (),
+) -> list[Part]:
     """Accelerations and what does not depend on the ground left, the ground and pushes right."""
-    left = [notation.write(m * a) for a, m in row.items() if m != 0]
     forcing = sp.expand(forcing)
     still = forcing.subs({GROUND_X: 0, GROUND_Y: 0})
-    left += [notation.write(-still)] if still != 0 else []
-    shaken = sp.expand(forcing - still)
-    right = [notation.write(shaken)] if shaken != 0 else []
-    return f"{notation.sum(left)} = {notation.sum([*right, *pushes])}"
+    static = still.subs(dict.fromkeys((c.velocity for c in of.coordinates), 0))
+    resisting = {
+        "velocity terms": sp.expand(static - still),
+        "static forces": -static,
+    }
+    return notation.equation(row, resisting, {"excitation": sp.expand(forcing - still)}, pushes)
 
 
 def _force(letter: str, names: Iterable[str]) -> str:
@@ -187,20 +193,21 @@ def _mode(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
         blocks += ["The closed contacts prescribe", Display(tuple(held))]
     if not _is_short(of):
         return [*blocks, *_ends(mode, notation)]
-    lines = tuple(_mode_lines(mode, notation))
-    motion = Display(lines) if lines else "No coordinate is free: the structure stands still."
+    lines = _mode_lines(of, mode, notation)
+    stands = "No coordinate is free: the structure stands still."
+    motion = Display.of_parts(lines) if lines else stands
     blocks += [Heading(3, "Equations of motion"), motion]
     return [*blocks, *_mode_forces(search, mode, notation)]
 
 
-def _mode_lines(mode: DerivedMode, notation: Notation) -> list[str]:
+def _mode_lines(of: ContactDeclaration, mode: DerivedMode, notation: Notation) -> list[list[Part]]:
     """Equations of independent coordinates, then accelerations of dependent ones."""
     lines = [
         _equation(
             {mode.qdd[i]: mode.mass_matrix[k, j] for j, i in enumerate(mode.independent)},
             mode.forcing[k],
+            of,
             notation,
-            (),
         )
         for k in range(len(mode.independent))
     ]
@@ -208,7 +215,7 @@ def _mode_lines(mode: DerivedMode, notation: Notation) -> list[str]:
         terms = [mode.motions[d, j] * mode.qdd[i] for j, i in enumerate(mode.independent)]
         total = sp.expand(sum(terms, mode.drift[d]))
         if total != 0:
-            lines.append(f"{notation.plain(mode.qdd[d])} = {notation.write(total)}")
+            lines.append([Part(f"{notation.plain(mode.qdd[d])} = {notation.write(total)}", "")])
     return lines
 
 
@@ -306,10 +313,10 @@ def _from_rest(search: Search, mode: DerivedMode, notation: Notation) -> list[Bl
     lines = [line(notation.plain(a), e) for a, e in start.motion.items() if e != 0]
     lines += [line(_called(mode, "N", [i]), e) for i, e in start.normal.items()]
     for group in mode.sticking:
-        pressed = sp.together(sum(start.normal[i] for i in group))
+        pressed = over_one_denominator(sum(start.normal[i] for i in group))
         sum_of = " + ".join(_called(mode, "N", [i]) for i in group)
         if pressed != 0:
-            needed = sp.cancel(start.friction[group[0]] / pressed)
+            needed = cancelled(start.friction[group[0]] / pressed)
             lines.append(line(rf"\frac{{{_called(mode, 'F', group)}}}{{{sum_of}}}", needed))
     needs = ", and the friction that it needs" if mode.sticking else ""
     return [

@@ -6,7 +6,7 @@ accelerations, velocities, ground acceleration and gravity; within each, mass by
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -14,11 +14,12 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
+from rockeom.symbolic.fractions import expanded, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.text.page import LINE, width
+from rockeom.symbolic.text.page import LINE, Part, width
 from rockeom.symbolic.write.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
@@ -115,7 +116,7 @@ class Notation(LatexPrinter):
         return self._collected[expr]
 
     def _terms(self, expr: sp.Expr) -> list[sp.Expr]:
-        expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+        expr = square_is(expanded(expr), SIDE, sp.Integer(1))
         expr = _oriented(compound_angles(expr, self.coordinates), self.moving)
         leaders = [x for x in self.leaders if expr.has(x) and expr.is_polynomial(x)]
         if not leaders:
@@ -159,7 +160,7 @@ class Notation(LatexPrinter):
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
-        if len(terms) > 2 and self._constant(bracket):
+        if len(terms) > 2 and self._constant(bracket) and _may_be_power(terms):
             sign, square = sp.factor(bracket).as_coeff_Mul()
             if square.is_Pow:
                 return outer * sign * square, sp.Integer(1)
@@ -192,7 +193,7 @@ class Notation(LatexPrinter):
     def quotient(self, expr: sp.Expr) -> str:
         """A rational expression, numerator and denominator collected."""
         expr = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-        above, below = map(tidy, sp.fraction(sp.together(expr)))
+        above, below = map(tidy, sp.fraction(over_one_denominator(expr)))
         if product(self.terms(below)[0])[0] < 0:
             above, below = -above, -below
         terms = self.terms(above)
@@ -210,8 +211,31 @@ class Notation(LatexPrinter):
         """Terms joined by their signs; 0 if there are none."""
         text = terms[0] if terms else "0"
         for term in terms[1:]:
-            text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"
+            text += f" {_signed(term)}"
         return text
+
+    def equation(
+        self,
+        row: Mapping[sp.Symbol, sp.Expr],
+        resisting: Mapping[str, sp.Expr],
+        acting: Mapping[str, sp.Expr],
+        pushes: Iterable[str] = (),
+    ) -> list[Part]:
+        """An equation of motion in its physical parts, those that are zero left out.
+
+        row : of the mass matrix, by accelerations. resisting, acting : forces on the left and on
+        the right, by what they are. pushes : LaTeX of forces of contact, on the right.
+        """
+        inertia = self.sum([self.write(m * a) for a, m in row.items() if m != 0])
+        left = [(inertia, "inertia"), *((self.write(e), x) for x, e in resisting.items() if e != 0)]
+        right = [(self.write(e), x) for x, e in acting.items() if e != 0]
+        right += [(self.sum(list(pushes)), "contact forces")] if pushes else []
+        left = left[1:] if inertia == "0" and left[1:] else left
+        parts = [Part(_signed(tex) if i else tex, what) for i, (tex, what) in enumerate(left)]
+        if not right:
+            return [*parts[:-1], Part(f"{parts[-1].tex} = 0", parts[-1].what)]
+        signed = [Part(_signed(tex) if i else f"= {tex}", x) for i, (tex, x) in enumerate(right)]
+        return [*parts, *signed]
 
     def _print_Add(self, expr: sp.Expr, order=None) -> str:
         return self._positive_first(self.sorted_terms(expr))
@@ -295,6 +319,11 @@ class Notation(LatexPrinter):
         return rf"\max({', '.join(self._print(a) for a in arguments)}){power}"
 
 
+def _signed(tex: str) -> str:
+    """A term behind others."""
+    return f"- {tex[1:]}" if tex.startswith("-") else f"+ {tex}"
+
+
 def _symbols(expressions) -> list[sp.Symbol]:
     """Free symbols in order of appearance, those of one expression by name."""
     found: dict[sp.Symbol, None] = {}
@@ -322,6 +351,20 @@ def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
     return number, factors
 
 
+def _may_be_power(terms: Sequence[sp.Expr]) -> bool:
+    """Whether a sum of these may be a power of another: it is none where a factor occurs once.
+
+    To factor it tells for certain, and takes long to find that there is nothing.
+    """
+    highest: dict[sp.Expr, sp.Expr] = {}
+    for term in terms:
+        for base, n in term.as_powers_dict().items():
+            highest[base] = max(n, highest.get(base, n))
+    return any(base.is_Add for base in highest) or all(
+        n != 1 for base, n in highest.items() if not base.is_number
+    )
+
+
 def _by_powers(expr: sp.Expr, leaders: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, sp.Expr]]:
     """Products of powers of the leaders, the highest first, and what each is multiplied by.
 
@@ -346,8 +389,8 @@ def _together(expr: sp.Expr) -> sp.Expr:
     """A sum of quotients over one denominator, and the numerator as a sum again."""
     if not any(p.exp.is_negative for p in expr.atoms(sp.Pow)):
         return expr
-    above, below = sp.fraction(sp.together(expr))
-    return sp.expand(above) / below
+    above, below = sp.fraction(over_one_denominator(expr))
+    return expanded(above) / below
 
 
 def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:

@@ -1,7 +1,7 @@
 """Derived equations for people: LaTeX and Markdown, as one would write them in a paper."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 
 import sympy as sp
 
@@ -19,6 +19,7 @@ from rockeom.symbolic.text.page import (
     Block,
     Display,
     Heading,
+    Part,
     environment,
     to_latex,
     to_markdown,
@@ -47,7 +48,7 @@ class WrittenEquations(Equations):
 
     def equation_lines(self) -> list[str]:
         """LaTeX of each equation, in the order of the coordinates."""
-        return _equation_lines(self, self.mode.coordinates, Notation(self.mode, self.model))
+        return _lines(self, self.mode.coordinates, Notation(self.mode, self.model))
 
 
 @dataclass(frozen=True, repr=False)
@@ -91,7 +92,7 @@ def equation_lines(mode: Mode, form: str = "width") -> list[str]:
     """
     _check(form)
     equations = in_polar_form(mode) if form == "polar" else mode.equations
-    return _equation_lines(equations, mode.coordinates, Notation(mode))
+    return _lines(equations, mode.coordinates, Notation(mode))
 
 
 def equations_latex(mode: Mode, form: str = "width") -> str:
@@ -110,7 +111,7 @@ def latex_document(model: HybridModel, form: str = "width") -> str:
 
 def markdown_page(model: HybridModel) -> str:
     """The same in Markdown, with mathematics between dollar signs."""
-    return to_markdown(content(model, "width"))
+    return to_markdown(content(model, "width"), numbered=True)
 
 
 def notebook_display(model: HybridModel) -> str:
@@ -123,33 +124,38 @@ def _check(form: str) -> None:
         raise InputError("form", form).give('"width" (B, H) or "polar" (R, alpha)')
 
 
-def _equation_lines(
+def _equations(
+    equations: Equations, coordinates: tuple[Coordinate, ...], notation: Notation
+) -> list[list[Part]]:
+    """Each equation in its physical parts."""
+    found = []
+    for i in range(len(coordinates)):
+        row = {c.acceleration: equations.mass_matrix[i, j] for j, c in enumerate(coordinates)}
+        statics = {
+            "gravity": equations.gravity_forces[i],
+            "elastic forces": equations.elastic_forces[i],
+        }
+        # one sum where weight and spring cancel in part, as about a settled position
+        apart = [term for part in statics.values() for term in notation.terms(part)]
+        if len(notation.terms(sum(statics.values()))) < len(apart):
+            statics = {"gravity and elastic forces": sum(statics.values())}
+        resisting = {
+            "velocity terms": equations.velocity_forces[i],
+            "damping": equations.damping_forces[i],
+            **statics,
+        }
+        acting = {
+            "excitation": equations.excitation_forces[i],
+            "applied forces": equations.applied_forces[i],
+        }
+        found.append(notation.equation(row, resisting, acting))
+    return found
+
+
+def _lines(
     equations: Equations, coordinates: tuple[Coordinate, ...], notation: Notation
 ) -> list[str]:
-    lines = []
-    for i in range(len(coordinates)):
-        accelerations = [
-            equations.mass_matrix[i, j] * c.acceleration for j, c in enumerate(coordinates)
-        ]
-        statics = [equations.gravity_forces[i], equations.elastic_forces[i]]
-        # one sum where weight and spring cancel in part, as about a settled position
-        apart = [term for part in statics for term in notation.terms(part)]
-        if len(notation.terms(sum(statics))) < len(apart):
-            statics = [sum(statics)]
-        parts = [
-            *accelerations,
-            equations.velocity_forces[i],
-            equations.damping_forces[i],
-            *statics,
-        ]
-        left = notation.sum([notation.write(part) for part in parts if part != 0])
-        given = [
-            part
-            for part in (equations.excitation_forces[i], equations.applied_forces[i])
-            if part != 0
-        ]
-        lines.append(f"{left} = {notation.sum([notation.write(part) for part in given])}")
-    return lines
+    return list(Display.of_parts(_equations(equations, coordinates, notation)).lines)
 
 
 # --- the content of a document
@@ -163,6 +169,7 @@ def content(declaration: Lowers, form: str) -> list[Block]:
     signs = signs_of_modes(model) if model.search is None else signs_of_search(model.search)
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
+    blocks += [_OF_SOURCES] if model.sources else []
     blocks += symbols_of(model, polar, signs)
     if model.search is not None:
         return [*blocks, *contact_sections(model, model.search)]
@@ -171,6 +178,12 @@ def content(declaration: Lowers, form: str) -> list[Block]:
         # where no body is placed by R and alpha, the geometry left is that of B and H
         blocks += _mode(model, mode if has_polar_form(mode) else original)
     return [*blocks, *_transitions(shown), *_pushover(shown)]
+
+
+_OF_SOURCES = """\
+The number of an equation is followed by the source's number where the source has it: in its right
+form where it is misprinted, and without what the source leaves out, such as the ground's vertical
+acceleration.""".replace("\n", " ")
 
 
 def signs_of_modes(model: HybridModel) -> list[tuple[sp.Symbol, str]]:
@@ -195,6 +208,7 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
     notation, equations = Notation(mode, model), mode.equations
     of_sides = {side: name for name, side in reversed(mode.sides.items())}  # the first of each
     named = sorted(of_sides.values()) if mode.switches else mode.sides
+    first = mode.sides == model.modes[0].sides
     blocks: list[Block] = [Heading(2, f"Contact {listed(named)}")]
     blocks += [f"One form for {_served(mode)}."] if mode.has_side or mode.switches else []
     if mode.small:
@@ -202,8 +216,9 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
         blocks.append(f"Energies are expanded to second order in the small quantities {small}.")
     blocks.append(Heading(3, "Equations of motion"))
     if mode.coordinates:
-        lines = _equation_lines(equations, mode.coordinates, notation)
-        blocks.append(Display(tuple(lines)))
+        motion = Display.of_parts(_equations(equations, mode.coordinates, notation))
+        of = [c.name for c in mode.coordinates] if first else []
+        blocks.append(replace(motion, sources=_sources(model, motion.lines, *of)))
     else:
         blocks.append("No coordinate is free: the structure stands still on the ground.")
     return [
@@ -215,6 +230,12 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
         Heading(3, "Support reactions"),
         *_reactions(model, mode, notation),
     ]
+
+
+def _sources(model: HybridModel, lines: Iterable[str], *of: str) -> dict[str, str]:
+    """The lines that have sources, by what each is of."""
+    named = zip(lines, of, strict=False)
+    return {line: model.sources[name] for line, name in named if name in model.sources}
 
 
 def _reactions(model: HybridModel, mode: Mode, notation: Notation) -> list[Block]:
@@ -231,7 +252,9 @@ def _reactions(model: HybridModel, mode: Mode, notation: Notation) -> list[Block
             force = (notation.plain if given else notation.write)(forces[f"{foot}_reaction"])
             lines.append(rf"N_{{\mathrm{{{foot}}}}} = {force}")
         text += " (sum over both feet), vertical $N$ at each foot."
-    return [text if text.endswith(".") else text + ".", Display(tuple(lines))]
+    of = ("horizontal_reaction", "vertical_reaction") if mode.feet and mode.has_side else ()
+    sources = _sources(model, lines, *of)
+    return [text if text.endswith(".") else text + ".", Display(tuple(lines), sources=sources)]
 
 
 # --- transitions and statics
@@ -253,10 +276,12 @@ def _transitions(model: HybridModel) -> list[Block]:
     if ratio not in (None, sp.nan):
         dot = Notation(model.modes[0], model).plain(model.rotation.velocity)
         e = Notation(model.modes[0], model).quotient(ratio)
+        lines = (rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}", r"r = \frac{T^+}{T^-} = e^2")
         blocks += [
-            Heading(3, "Velocity ratio of the rigid structure"),
-            "After and before an impact, all other coordinates held at zero:",
-            Display((rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}",)),
+            Heading(3, "Restitution of the rigid structure"),
+            "Ratios of velocities $e$ and of kinetic energies $r$ after and before an impact, all "
+            "other coordinates held at zero:",
+            Display(lines, sources=_sources(model, lines[1:], "energy_ratio")),
         ]
     return blocks
 
@@ -350,7 +375,7 @@ def _impulse(model: HybridModel, source: str, target: str) -> list[Block]:
         lines += [line for line in closed if width(line) < LINE and line not in lines]
     text = "Momentum in the directions that stay free is conserved; $-$ is just before, $+$ just "
     text += "after, and $s$ is the side before:" if after.has_side else "after:"
-    return [text, Display(tuple(lines))]
+    return [text, Display(tuple(lines), sources=_sources(model, lines, "impact"))]
 
 
 def _rates_at_impact(
