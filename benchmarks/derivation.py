@@ -17,7 +17,7 @@ from pathlib import Path
 from benchmarks.report import table
 from tests.golden.__main__ import ROOT, checkout
 
-TURNS = 2
+TURNS = 1
 _COMPILED = "program(module_of({}), 'DOP853')"
 DERIVATIONS = {
     **{

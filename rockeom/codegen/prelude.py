@@ -27,8 +27,9 @@ _NAMES = {name for names in _DEFINITIONS.values() for name in names}
 
 def without_prelude(text: str) -> tuple[str, list[str]]:
     """A text without the definitions of the prelude, and the names that it wants of these."""
-    lines, wanted = text.split("\n"), names_in(text)
-    for statement in reversed(ast.parse(text).body):
+    tree = ast.parse(text)
+    lines, wanted = text.split("\n"), names_in(tree)
+    for statement in reversed(tree.body):
         if _NAMES.isdisjoint(_defined(statement)) or ast.dump(statement) not in _DEFINITIONS:
             wanted -= {*_defined(statement)}
             continue

@@ -6,6 +6,7 @@ from math import comb, prod
 
 import numpy as np
 import sympy as sp
+from sympy.utilities.iterables import sift
 
 from rockeom.symbolic.fractions import cancelled, expanded, over_one_denominator
 
@@ -33,7 +34,15 @@ def slopes(expr: sp.Expr, by: Iterable[sp.Symbol]) -> list[sp.Expr]:
     for term in sp.Add.make_args(expr):
         for x in term.free_symbols & containing.keys():
             containing[x].append(term)
-    return [sp.diff(sp.Add(*terms), x) for x, terms in containing.items()]
+    return [sp.Add(*(_slope(e, x) for e in terms)) for x, terms in containing.items()]
+
+
+def _slope(term: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The derivative of a term, of which as a rule one factor alone moves."""
+    moving, still = sift(sp.Mul.make_args(term), lambda e: x in e.free_symbols, binary=True)
+    if len(moving) > 1 or (slope := sp.diff(moving[0], x)).is_Add:
+        return sp.diff(term, x)
+    return sp.Mul(*still, slope)
 
 
 def angles_in(expr: sp.Expr) -> list[sp.Expr]:

@@ -51,10 +51,22 @@ MOST_GENERATORS = 40
 
 
 def expanded(expr: sp.Expr) -> sp.Expr:
-    """The same as `sympy.expand`, which multiplies out a product in a denominator, too."""
+    """The same as `sympy.expand`. Terms that are products already are left aside."""
     generators = _leaves(expr, _is_product)
-    plain = len(generators) <= MOST_GENERATORS and all(map(_stays, generators))
-    if not plain or not generators:
+    if not all(map(_stays, generators)):
+        return sp.expand(expr)
+    if any(x.is_Pow and x.base.is_Add for x in generators):
+        return _expanded_above(expr, generators)
+    sums = [term for term in sp.Add.make_args(expr) if not _has_no_sum(term)]
+    if not sums:
+        return expr
+    products = [term for term in sp.Add.make_args(expr) if _has_no_sum(term)]
+    return sp.Add(*products, _expanded_above(sp.Add(*sums), generators))
+
+
+def _expanded_above(expr: sp.Expr, generators: set[sp.Expr]) -> sp.Expr:
+    """What SymPy makes of it, which multiplies out a product in a denominator, too."""
+    if not 0 < len(generators) <= MOST_GENERATORS:
         return sp.expand(expr)
     ring = _ring(frozenset(generators))
     found = _Values(ring, sum).of(expr)
@@ -65,6 +77,12 @@ def expanded(expr: sp.Expr) -> sp.Expr:
         if product and any(monomial[i] for i in sums):
             return sp.expand(expr)
     return found.as_expr()
+
+
+def _has_no_sum(term: sp.Expr) -> bool:
+    """Whether no factor of a term is a sum or the power of one."""
+    factors = sp.Mul.make_args(term)
+    return not any(f.is_Add or (f.is_Pow and f.base.is_Add) for f in factors)
 
 
 @lru_cache(maxsize=4096)  # denominators are sums, and each is in many expressions

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, at_side, determinant, tidy
+from rockeom.symbolic.algebra import SIDE, at_side, determinant, slopes, tidy
 from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.lagrange import body_velocity
 from rockeom.symbolic.mode import Mode
@@ -138,7 +138,7 @@ def _jacobian(mode: Mode, index: int) -> sp.Matrix:
     """(3, n): x, y and rotation of one body by the coordinates of the mode."""
     body, q = mode.bodies[index], [c.position for c in mode.coordinates]
     place = (*body.position, sp.sympify(body.rotation))
-    return sp.Matrix(3, len(mode.coordinates), lambda i, j: sp.diff(place[i], q[j]))
+    return sp.Matrix(3, len(q), [slope for e in place for slope in slopes(e, q)])
 
 
 def momentum(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
