@@ -5,6 +5,7 @@ python -m benchmarks W1 W4 --quick    some of them, with few repetitions
 python -m benchmarks --write docs/benchmarks.md
 python -m benchmarks --read out/bench.json --write docs/benchmarks.md   of an earlier run
 python -m benchmarks.first_call       what the first simulation of each structure costs
+python -m benchmarks.derivation COMMIT   derivations beside a former commit (minutes)
 python -m benchmarks.lanes            maps of many motions, in lanes and one by one
 python -m benchmarks.gradient         a gradient by ten parameters, in runs of the motion
 python -m benchmarks.precision        error against time of each method, out/precision.png

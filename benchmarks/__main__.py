@@ -287,6 +287,10 @@ def sliding(quick: bool) -> list[dict]:
     ]
 
 
+def _write(text: str, page: Path) -> None:
+    page.write_text(text + report.derivations(page), encoding="utf-8")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("workloads", nargs="*", help="W1 to W5; all if none is named")
@@ -300,7 +304,7 @@ def main() -> None:
     if arguments.read:
         text = report.whole(json.loads(arguments.read.read_text(encoding="utf-8")))
         if arguments.write:
-            arguments.write.write_text(text, encoding="utf-8")
+            _write(text, arguments.write)
         else:
             print(text)
         return
@@ -337,7 +341,7 @@ def main() -> None:
     (arguments.out / "bench.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     (arguments.out / "bench.md").write_text(text, encoding="utf-8")
     if arguments.write:
-        arguments.write.write_text(text, encoding="utf-8")
+        _write(text, arguments.write)
 
 
 if __name__ == "__main__":

@@ -140,6 +140,16 @@ def workload(name: str, found: dict) -> str:
     return "\n".join(parts)
 
 
+DERIVATION = "### Derivation"
+
+
+def derivations(page: Path) -> str:
+    """The section of a page that holds what `benchmarks.derivation` told, and stays as it is."""
+    text = page.read_text(encoding="utf-8") if page.exists() else ""
+    _, mark, section = text.partition(DERIVATION)
+    return f"\n{mark}{section}" if mark else ""
+
+
 def whole(found: dict) -> str:
     """All of it, as docs/benchmarks.md."""
     parts = ["# Benchmarks", "", INTRODUCTION, ""]

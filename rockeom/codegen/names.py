@@ -73,10 +73,10 @@ class Names:
         return self.of(name if _FEET.fullmatch(name) else f"{name}_")
 
 
-def names_in(text: str) -> set[str]:
+def names_in(text: str | ast.Module) -> set[str]:
     """All names of variables, arguments, functions and imports in a text."""
     names: set[str] = set()
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(ast.parse(text) if isinstance(text, str) else text):
         if isinstance(node, ast.Name):
             names.add(node.id)
         elif isinstance(node, ast.arg):

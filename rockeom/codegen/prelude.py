@@ -22,12 +22,15 @@ def _defined(statement: ast.stmt) -> list[str]:
 
 _DEFINITIONS = {ast.dump(s): names for s in ast.parse(PRELUDE).body if (names := _defined(s))}
 
+_NAMES = {name for names in _DEFINITIONS.values() for name in names}
+
 
 def without_prelude(text: str) -> tuple[str, list[str]]:
     """A text without the definitions of the prelude, and the names that it wants of these."""
-    lines, wanted = text.split("\n"), names_in(text)
-    for statement in reversed(ast.parse(text).body):
-        if ast.dump(statement) not in _DEFINITIONS:
+    tree = ast.parse(text)
+    lines, wanted = text.split("\n"), names_in(tree)
+    for statement in reversed(tree.body):
+        if _NAMES.isdisjoint(_defined(statement)) or ast.dump(statement) not in _DEFINITIONS:
             wanted -= {*_defined(statement)}
             continue
         first = statement.lineno - 1

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from rockeom.codegen.text import Text
-from rockeom.symbolic.algebra import MOST_TERMS, SIDE, number_of_terms, tidy
+from rockeom.symbolic.algebra import MOST_TERMS, SIDE, number_of_terms, slopes, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 TOTAL_GRAVITY = sp.Symbol("total_gravity")
@@ -155,12 +155,12 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
     if any(not part.free_symbols.isdisjoint(states) for part in expr.atoms(sp.Function, sp.Pow)):
         return None  # as of most
     factors = []
-    for x in variables:
-        factor = sp.expand(sp.diff(expr, x))
+    for slope in slopes(expr, variables):
+        factor = sp.expand(slope)
         if factor.has(*variables) or not text.fixed(factor):
             return None
         factors.append(sp.factor_terms(factor))
-    rest = expr.subs(dict.fromkeys(variables, 0))
+    rest = expr.xreplace(dict.fromkeys(variables, sp.S.Zero))
     if not text.fixed(rest):
         return None
     return sp.Add(rest, *(f * x for f, x in zip(factors, variables, strict=True)))

@@ -220,20 +220,40 @@ class Function:
         return value if isinstance(node.op, ast.UAdd) else self.ir.negative(value)
 
     def _binop(self, node: ast.BinOp) -> Value:
+        """A sum is as deep on its left as it has terms: it is printed from the innermost."""
         if isinstance(node.op, ast.Pow):
-            n = self._whole(node.right)
-            if n is not None and 0 < n < 10:
-                return self.ir.power(self._number(node.left), n)
-            base, exponent = self._number(node.left), self._number(node.right)
-            if exponent.type == DUAL:
-                self.refuse(node, "an exponent has no derivatives here")
-            return self._through("pow", "llvm.pow.f64", node, base, exponent)
-        left, right = self._value(node.left), self._value(node.right)
-        result = self.ir.arithmetic(type(node.op).__name__, left, right)
+            return self._power(node)
+        nested = [node]
+        while isinstance(left := nested[-1].left, ast.BinOp) and not isinstance(left.op, ast.Pow):
+            if self._constant(left) is not UNKNOWN:
+                break
+            nested.append(left)
+        value = self._value(left)
+        for part in reversed(nested):
+            value = self._operated(part, value)
+        return value
+
+    def _operated(self, node: ast.BinOp, left: Value) -> Value:
+        """The result of an operation on what its left side has become."""
+        right = self._value(node.right)
+        try:
+            result = self.ir.arithmetic(type(node.op).__name__, left, right)
+        except Unfit as why:
+            self.refuse(node, str(why))
         divides = isinstance(node.op, ast.FloorDiv | ast.Mod)
         if divides and not (self._is_natural(node.left) and self._is_natural(node.right)):
             self.refuse(node, _NO_REMAINDER)
+        self.typed[node] = result.type
         return result
+
+    def _power(self, node: ast.BinOp) -> Value:
+        n = self._whole(node.right)
+        if n is not None and 0 < n < 10:
+            return self.ir.power(self._number(node.left), n)
+        base, exponent = self._number(node.left), self._number(node.right)
+        if exponent.type == DUAL:
+            self.refuse(node, "an exponent has no derivatives here")
+        return self._through("pow", "llvm.pow.f64", node, base, exponent)
 
     def _compare(self, node: ast.Compare) -> Value:
         """All comparisons of a chain; the values in it have no side effects."""

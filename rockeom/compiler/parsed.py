@@ -204,14 +204,17 @@ class Constants:
         return UNKNOWN
 
     def _of_known(self, operation: Callable[..., Any], *nodes: ast.expr) -> Any:
-        """The result of an operation in Python, if all values are known."""
+        """The result of an operation in Python, if all values are known.
+
+        The last is looked at first: a long sum is deep on its left, and shallow on its right.
+        """
         values = []
-        for node in nodes:
+        for node in reversed(nodes):
             value = self.value(node)
             if value is UNKNOWN:
                 return UNKNOWN
             values.append(value)
-        return operation(*values)
+        return operation(*reversed(values))
 
     def maybe(self, node: ast.expr) -> Any:
         """The value of an expression, or None."""

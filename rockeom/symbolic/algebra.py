@@ -1,11 +1,14 @@
 """The few rules by which derived expressions are brought to a short, unique form."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from math import comb, prod
 
 import numpy as np
 import sympy as sp
+from sympy.utilities.iterables import sift
+
+from rockeom.symbolic.fractions import cancelled, expanded, over_one_denominator
 
 SIDE = sp.Symbol("s", real=True)
 """s = sgn(theta): +1 when the structure turns about its right edge, -1 about its left one."""
@@ -17,10 +20,29 @@ def at_side(expr: sp.Expr, side: int) -> sp.Expr:
 
 def square_is(expr: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
     """Replace base**2 by `square` in every integer power of `base`."""
-    return expr.replace(
-        lambda e: e.is_Pow and e.base == base and e.exp.is_Integer and e.exp > 1,
-        lambda e: square ** (e.exp // 2) * base ** (e.exp % 2),
-    )
+    squares = {
+        p: square ** (p.exp // 2) * base ** (p.exp % 2)
+        for p in expr.atoms(sp.Pow)
+        if p.base == base and p.exp.is_Integer and p.exp > 1
+    }
+    return expr.xreplace(squares) if squares else expr
+
+
+def slopes(expr: sp.Expr, by: Iterable[sp.Symbol]) -> list[sp.Expr]:
+    """The derivatives by some symbols: of the terms of a large structure each is in few."""
+    containing: dict[sp.Symbol, list[sp.Expr]] = {x: [] for x in by}
+    for term in sp.Add.make_args(expr):
+        for x in term.free_symbols & containing.keys():
+            containing[x].append(term)
+    return [sp.Add(*(_slope(e, x) for e in terms)) for x, terms in containing.items()]
+
+
+def _slope(term: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The derivative of a term, of which as a rule one factor alone moves."""
+    moving, still = sift(sp.Mul.make_args(term), lambda e: x in e.free_symbols, binary=True)
+    if len(moving) > 1 or (slope := sp.diff(moving[0], x)).is_Add:
+        return sp.diff(term, x)
+    return sp.Mul(*still, slope)
 
 
 def angles_in(expr: sp.Expr) -> list[sp.Expr]:
@@ -54,15 +76,17 @@ def tidy(expr: sp.Expr) -> sp.Expr:
     On the polynomials in sines and cosines that positions of bodies give this is a normal
     form: an expression that is identically zero comes out as zero.
     """
-    expr = sp.sympify(expr).replace(sp.sinh, lambda a: sp.tanh(a) * sp.cosh(a))
-    expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+    expr = sp.sympify(expr)
+    if expr.has(sp.sinh):
+        expr = expr.replace(sp.sinh, lambda a: sp.tanh(a) * sp.cosh(a))
+    expr = square_is(expanded(expr), SIDE, sp.Integer(1))
     for angle in angles_in(expr):
         sin, cos = sp.sin(angle), sp.cos(angle)
         if not any(p.base in (sin, cos) and p.exp.is_Integer for p in expr.atoms(sp.Pow)):
             continue  # no square to write as the other's
         ways = [
-            sp.expand(square_is(expr, sin, 1 - cos**2)),
-            sp.expand(square_is(expr, cos, 1 - sin**2)),
+            expanded(square_is(expr, sin, 1 - cos**2)),
+            expanded(square_is(expr, cos, 1 - sin**2)),
         ]
         expr = min(ways, key=sp.count_ops)
     return square_is(expr, SIDE, sp.Integer(1))
@@ -134,8 +158,8 @@ def quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
 
 
 def together(expr: sp.Expr) -> sp.Expr:
-    above, below = sp.fraction(sp.together(expr))
-    return positive_below(sp.cancel(brief(above) / brief(below)))
+    above, below = sp.fraction(over_one_denominator(expr))
+    return positive_below(cancelled(brief(above) / brief(below)))
 
 
 def positive_below(expr: sp.Expr) -> sp.Expr:

@@ -17,6 +17,7 @@ import sympy as sp
 from rockeom.symbolic import model
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
+from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.impulse import ImpulseMap, OnSide, derive_impulse_map, rigid_velocity_ratio
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
@@ -81,9 +82,6 @@ class HybridModel:
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
-    sources : dict of str to str, optional
-        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
-        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -91,6 +89,9 @@ class HybridModel:
     falls : dict of Coordinate to sympy.Expr, optional
         Further coordinates, each with the size at which the structure has overturned, as it has
         where the rotation reaches `overturning`.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     """
 
     name: str
@@ -322,7 +323,7 @@ class HybridModel:
         if len(self.coordinates) > 1:  # checks refuse different ratios
             return ratio
         others = (self.velocity_ratio_at(t) for t in impacts[1:])
-        return ratio if all(sp.cancel(other - ratio) == 0 for other in others) else sp.nan
+        return ratio if all(cancelled(other - ratio) == 0 for other in others) else sp.nan
 
     def velocity_ratio_at(self, impact: Transition) -> sp.Expr:
         """Ratio of angular velocities, derived for one impact.

@@ -21,7 +21,8 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import SIDE, at_side, determinant, tidy
+from rockeom.symbolic.algebra import SIDE, at_side, determinant, slopes, tidy
+from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.lagrange import body_velocity
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
@@ -137,7 +138,7 @@ def _jacobian(mode: Mode, index: int) -> sp.Matrix:
     """(3, n): x, y and rotation of one body by the coordinates of the mode."""
     body, q = mode.bodies[index], [c.position for c in mode.coordinates]
     place = (*body.position, sp.sympify(body.rotation))
-    return sp.Matrix(3, len(mode.coordinates), lambda i, j: sp.diff(place[i], q[j]))
+    return sp.Matrix(3, len(q), [slope for e in place for slope in slopes(e, q)])
 
 
 def momentum(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
@@ -188,20 +189,20 @@ def rigid_velocity_ratio(
     All coordinates but the rotation are frozen at zero, and the conservation of angular momentum
     about the new pivot is left, thesis 2-6 (its square root) and 5-14. side : before the impact.
     """
-    frozen: dict[sp.Expr, int] = {}
+    frozen: dict[sp.Expr, sp.Expr] = {}
     for c in coordinates:
         if c != rotation:
-            frozen |= {c.position: 0, c.velocity: 0}
+            frozen |= {c.position: sp.S.Zero, c.velocity: sp.S.Zero}
     row = [c.name for c in impact.coordinates].index(rotation.name)
-    ratio = impact.momentum[row].subs(frozen) / (
-        impact.mass_matrix[row, row].subs(frozen) * rotation.velocity
+    ratio = impact.momentum[row].xreplace(frozen) / (
+        impact.mass_matrix[row, row].xreplace(frozen) * rotation.velocity
     )
     return at_side(_shortest(ratio), side)
 
 
 @lru_cache(maxsize=256)  # needed again by the checks of a declaration, and for each side
 def _shortest(ratio: sp.Expr) -> sp.Expr:
-    ratio = sp.cancel(ratio)
+    ratio = cancelled(ratio)
     parts = sp.fraction(ratio)
     if not all(map(_has_no_factors, parts)):
         return sp.factor(tidy(ratio))

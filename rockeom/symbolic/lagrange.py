@@ -15,7 +15,7 @@ from typing import Protocol
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.symbolic.algebra import at_side, tidy
+from rockeom.symbolic.algebra import at_side, slopes, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Coordinate
 from rockeom.symbolic.text.shown import Shown
 
@@ -207,7 +207,9 @@ def _along(expr: sp.Expr, rates: list[tuple[sp.Symbol, sp.Symbol]]) -> sp.Expr:
     """Rate of an expression, by those of some symbols; of many, few are in each expression."""
     expr = sp.sympify(expr)
     there = expr.free_symbols
-    return sum((sp.diff(expr, x) * x_dot for x, x_dot in rates if x in there), sp.Integer(0))
+    known = {x: x_dot for x, x_dot in rates if x in there}
+    found = zip(slopes(expr, known), known.values(), strict=True)
+    return sum((slope * x_dot for slope, x_dot in found), sp.Integer(0))
 
 
 def body_velocity(
@@ -242,14 +244,15 @@ def derive_equations(mode: Moving) -> Equations:
         return sp.Matrix(len(q), 1, list(entries))
 
     def gradient(expr: sp.Expr, by: list[sp.Symbol]) -> sp.Matrix:
-        return column(tidy(sp.diff(expr, x)) for x in by)
+        return column(map(tidy, slopes(expr, by)))
 
-    momenta = [sp.diff(kinetic, v) for v in qd]
-    mass_matrix = sp.Matrix(len(q), len(q), lambda i, j: tidy(sp.diff(momenta[i], qd[j])))
+    momenta = slopes(kinetic, qd)
+    shares = [slopes(p, qd) for p in momenta]
+    mass_matrix = sp.Matrix(len(q), len(q), lambda i, j: tidy(shares[i][j]))
     # dp/dt without its acceleration terms, less dT/dq
+    rates = list(zip(q, qd, strict=True))
     velocity = column(
-        tidy(_along(p, list(zip(q, qd, strict=True))) - sp.diff(kinetic, q[i]))
-        for i, p in enumerate(momenta)
+        tidy(_along(p, rates) - slope) for p, slope in zip(momenta, slopes(kinetic, q), strict=True)
     )
     return Equations(
         q=column(q),

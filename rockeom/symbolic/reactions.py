@@ -3,6 +3,7 @@
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
@@ -57,4 +58,4 @@ def _force_of_held_foot(model: HybridModel, foot: str, pivot: str) -> sp.Expr:
     row = [c.name for c in turning.coordinates].index(theta.name)
     lacking = model.written_out(turning.equations.residual[row])
     lift = sp.diff(turning.approximated(turning.feet[foot].position[1]), theta.position)
-    return sp.cancel((lacking / lift).subs(SIDE, side).subs(held))
+    return cancelled((lacking / lift).subs(SIDE, side).subs(held))

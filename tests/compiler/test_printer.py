@@ -717,3 +717,13 @@ def test_results_come_back_in_their_types():
     assert [run["c"](1.0, True), run["c"](1.0, False), run["c"](-1.0, True)] == [True, False, False]
     assert run["d"](1.0) is None
     assert math.isnan(run["a"](math.nan, 1))
+
+
+def test_a_sum_of_more_terms_than_python_calls_functions_in_one_another_is_printed():
+    terms = " + ".join(f"x[{i % 4}] * {i}.0" for i in range(900))
+    run = functions(f"@entry\ndef run(x: Floats, n: Ints, out: Floats):\n    out[0] = {terms}\n")[
+        "run"
+    ]
+    out = np.zeros(1)
+    run(np.ones(4), np.zeros(1, dtype=np.int64), out)
+    assert out[0] == sum(range(900))

@@ -17,7 +17,7 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.codegen import module_text
+from rockeom.codegen import declaration_digest, module_text
 from rockeom.integrator import program as programs
 from rockeom.integrator.texts import load_text
 from rockeom.modelling import declared
@@ -243,6 +243,15 @@ def test_deriving_is_told_where_it_takes_more_than_a_second(tmp_path, monkeypatc
         monkeypatch.setattr(declared.time, "monotonic", lambda times=times: next(times))
         declared._kept_module("tall_block", f"of_{seconds:.0f}", lambda: tall_block(1))
         assert capsys.readouterr() == ("", line)
+
+
+def test_an_equal_declaration_is_not_derived_again(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROCKEOM_CACHE_DIR", str(tmp_path))
+    texts = iter(["A = 1\n", "A = 2\n"])
+    monkeypatch.setattr("rockeom.codegen.module_text", lambda model: next(texts))
+    models = map(tall_block, (1, 1, 2))
+    modules = (declared._kept_module(m.name, declaration_digest(m), lambda m=m: m) for m in models)
+    assert [module.A for module in modules] == [1, 1, 2]
 
 
 def tall_block(stretch) -> RockingModel:

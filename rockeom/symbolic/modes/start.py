@@ -6,6 +6,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.symbolic.algebra import brief, determinant, positive_below
+from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.modes.balance import Balance
 
 
@@ -48,7 +49,7 @@ def from_rest(balance: Balance, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
         expr = sp.expand(brief(expr.subs(still)))
         alone = expr.subs(dict.fromkeys(of.qdd, 0))
         moved = sum(sp.diff(expr, a) * e for a, e in zip(of.qdd, every, strict=True))
-        return positive_below(sp.cancel(brief(alone * divisor + moved) / divisor))
+        return positive_below(cancelled(brief(alone * divisor + moved) / divisor))
 
     normal, friction = balance.forces
     return Start(

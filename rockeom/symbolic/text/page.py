@@ -11,7 +11,7 @@ import textwrap
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import count, groupby
+from itertools import count, groupby, takewhile
 from typing import NamedTuple
 
 from rockeom.symbolic.text.plain import greek_letter, mathematics
@@ -118,7 +118,9 @@ def broken(tex: str, limit: float) -> list[str]:
     """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
     lines = []
     while width(tex) > limit:
-        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
+        sized = ((width(tex[:i]), d, -i) for d, i in _cuts(tex))
+        fitting = takewhile(lambda cut: cut[0] <= limit, sized)
+        cuts = [(d, i) for size, d, i in fitting if 0.4 * limit < size]
         if not cuts:
             break
         cut = -min(cuts)[1]

@@ -8,6 +8,7 @@ from rockeom.codes import OPEN
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
+from rockeom.symbolic.fractions import cancelled, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -312,10 +313,10 @@ def _from_rest(search: Search, mode: DerivedMode, notation: Notation) -> list[Bl
     lines = [line(notation.plain(a), e) for a, e in start.motion.items() if e != 0]
     lines += [line(_called(mode, "N", [i]), e) for i, e in start.normal.items()]
     for group in mode.sticking:
-        pressed = sp.together(sum(start.normal[i] for i in group))
+        pressed = over_one_denominator(sum(start.normal[i] for i in group))
         sum_of = " + ".join(_called(mode, "N", [i]) for i in group)
         if pressed != 0:
-            needed = sp.cancel(start.friction[group[0]] / pressed)
+            needed = cancelled(start.friction[group[0]] / pressed)
             lines.append(line(rf"\frac{{{_called(mode, 'F', group)}}}{{{sum_of}}}", needed))
     needs = ", and the friction that it needs" if mode.sticking else ""
     return [

@@ -14,6 +14,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
+from rockeom.symbolic.fractions import expanded, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
@@ -115,7 +116,7 @@ class Notation(LatexPrinter):
         return self._collected[expr]
 
     def _terms(self, expr: sp.Expr) -> list[sp.Expr]:
-        expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+        expr = square_is(expanded(expr), SIDE, sp.Integer(1))
         expr = _oriented(compound_angles(expr, self.coordinates), self.moving)
         leaders = [x for x in self.leaders if expr.has(x) and expr.is_polynomial(x)]
         if not leaders:
@@ -159,7 +160,7 @@ class Notation(LatexPrinter):
         bracket = next((f for f in factors if f.is_Add), sp.Integer(1))
         outer = number * sp.Mul(*(f for f in factors if f is not bracket))
         terms = self.sorted_terms(bracket)
-        if len(terms) > 2 and self._constant(bracket):
+        if len(terms) > 2 and self._constant(bracket) and _may_be_power(terms):
             sign, square = sp.factor(bracket).as_coeff_Mul()
             if square.is_Pow:
                 return outer * sign * square, sp.Integer(1)
@@ -192,7 +193,7 @@ class Notation(LatexPrinter):
     def quotient(self, expr: sp.Expr) -> str:
         """A rational expression, numerator and denominator collected."""
         expr = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-        above, below = map(tidy, sp.fraction(sp.together(expr)))
+        above, below = map(tidy, sp.fraction(over_one_denominator(expr)))
         if product(self.terms(below)[0])[0] < 0:
             above, below = -above, -below
         terms = self.terms(above)
@@ -350,6 +351,20 @@ def product(expr: sp.Expr) -> tuple[sp.Rational, list[sp.Expr]]:
     return number, factors
 
 
+def _may_be_power(terms: Sequence[sp.Expr]) -> bool:
+    """Whether a sum of these may be a power of another: it is none where a factor occurs once.
+
+    To factor it tells for certain, and takes long to find that there is nothing.
+    """
+    highest: dict[sp.Expr, sp.Expr] = {}
+    for term in terms:
+        for base, n in term.as_powers_dict().items():
+            highest[base] = max(n, highest.get(base, n))
+    return any(base.is_Add for base in highest) or all(
+        n != 1 for base, n in highest.items() if not base.is_number
+    )
+
+
 def _by_powers(expr: sp.Expr, leaders: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, sp.Expr]]:
     """Products of powers of the leaders, the highest first, and what each is multiplied by.
 
@@ -374,8 +389,8 @@ def _together(expr: sp.Expr) -> sp.Expr:
     """A sum of quotients over one denominator, and the numerator as a sum again."""
     if not any(p.exp.is_negative for p in expr.atoms(sp.Pow)):
         return expr
-    above, below = sp.fraction(sp.together(expr))
-    return sp.expand(above) / below
+    above, below = sp.fraction(over_one_denominator(expr))
+    return expanded(above) / below
 
 
 def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
