@@ -165,7 +165,7 @@ class _Values:
 
 
 def _sum_of_fractions(fractions: Iterable[Any]) -> Any:
-    """Those of one denominator first: most have one of few, and a common divisor is costly."""
+    """Sum of fractions, equal denominators first: most have one of few, and divisors are costly."""
     above: dict[Any, Any] = {}
     for x in fractions:
         above[x.denom] = above.get(x.denom, 0) + x.numer
