@@ -65,7 +65,7 @@ def expanded(expr: sp.Expr) -> sp.Expr:
 
 
 def _expanded_above(expr: sp.Expr, generators: set[sp.Expr]) -> sp.Expr:
-    """What SymPy makes of it, which multiplies out a product in a denominator, too."""
+    """Expansion by SymPy, which multiplies out a product in a denominator, too."""
     if not 0 < len(generators) <= MOST_GENERATORS:
         return sp.expand(expr)
     ring = _ring(frozenset(generators))
