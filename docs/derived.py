@@ -12,6 +12,9 @@ HERE = Path(__file__).parent
 SOURCES = HERE.parent / "generated"
 PAGES = HERE / "derived"
 
+STYLE = """<style>mjx-container[display="true"] { font-size: 95% !important; }</style>"""
+"""Numbers of equations next to long lines take room."""
+
 
 def copy() -> None:
     """The pages; only those that changed, for a quick rebuild."""
@@ -32,7 +35,7 @@ def page(name: str) -> str:
     if numbers := sorted(set(re.findall(r"[\dD]-\d+", " ".join(tags(text))))):
         linked = ", ".join(f"[{n}](../equations/{_place(n)})" for n in numbers)
         links += f" The catalogue of the thesis has {linked}, each with its verdict."
-    return "\n\n".join([title, links, drawing, rest])
+    return "\n\n".join([title, STYLE, links, drawing, rest])
 
 
 def tags(text: str) -> list[str]:

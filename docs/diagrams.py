@@ -44,7 +44,7 @@ class Diagram:
         } | {c.position: y[i] for i, c in enumerate(self.model.coordinates)}
         self.values |= {d.symbol: d.value.subs(self.values) for d in self.model.definitions}
         self.rocks = self.model.search is None and bool(self.mode.feet) and self.mode.has_side
-        self.arrow = 0.2 * self.sketch.size
+        self.arrow = 0.16 * self.sketch.size
         self.labels: set[str] = set()
 
     def draw(self, ax: Axes) -> None:

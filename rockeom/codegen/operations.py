@@ -4,6 +4,8 @@ import ast
 from collections import Counter
 from collections.abc import Iterator
 
+from rockeom.codegen.rates import each_mode
+from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.text.page import Block, Heading, Table
 
 KINDS = {
@@ -14,21 +16,23 @@ KINDS = {
 }
 
 
-def operations(module: str) -> list[Block]:
+def operations(model: HybridModel, module: str) -> list[Block]:
     """A table of the operations that the accelerations of each mode take."""
-    rows = []
+    declared = [] if model.search else each_mode(model)
+    rows: list[tuple[str, ...]] = []
     for function in ast.parse(module).body:
         if isinstance(function, ast.FunctionDef) and _of_one_mode(function):
             counts = Counter(_kinds(ast.Module(function.body, [])))
-            where = (ast.get_docstring(function) or "").rstrip(".").split(" ", 3)[3]
-            where = where.removeprefix("coordinates ").removeprefix("states ")
+            where = (ast.get_docstring(function) or "").rstrip(".").partition(" states ")[2]
+            if declared:
+                where = ", ".join(f"`{name}`" for name in declared[len(rows)].sides)
             rows.append((where, *(str(counts[kind]) for kind in KINDS)))
     return [
         Heading(2, "Operations"),
         "Operations of the accelerations of a state in the generated module, which shares common "
         "subexpressions and computes constants of the parameters beforehand. A difference is an "
         "addition, a square a multiplication.",
-        Table(("Accelerations", *(kind.capitalize() for kind in KINDS)), tuple(rows)),
+        Table(("Modes", *(kind.capitalize() for kind in KINDS)), tuple(rows)),
     ]
 
 

@@ -4,6 +4,7 @@ from collections.abc import Collection
 
 from rockeom.codegen.solve import solve
 from rockeom.codegen.text import Text, branched
+from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 
 
@@ -13,9 +14,14 @@ def equations_of_motion(text: Text) -> None:
     _opening_acceleration(text)
 
 
+def each_mode(model: HybridModel) -> list[Mode]:
+    """The declared modes that have accelerations of their own, in the order of their functions."""
+    return [one for mode in model.modes for one in mode.of_each_state()]
+
+
 def _accelerations(text: Text) -> None:
     """A function of plain numbers for each mode, and one that chooses the mode."""
-    modes = [one for mode in text.model.modes for one in mode.of_each_state()]
+    modes = each_mode(text.model)
     indent, chosen = " " * 8, []
     for i, mode in enumerate(modes):
         call = _accelerations_of(text, i, mode)

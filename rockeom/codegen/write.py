@@ -65,7 +65,7 @@ def page_text(model: RockingModel | Model, module: str) -> str:
     """Everything derived of a structure, with its drawing and the operations of its module."""
     title, derived = model.markdown().split("\n\n", 1)
     drawing = f"![{model.hybrid.title}: forces and lengths]({DRAWINGS}/{model.name}.png)"
-    counted = to_markdown(operations(module))
+    counted = to_markdown(operations(model.hybrid, module))
     return "\n\n".join([title, drawing, _CAPTION, derived.rstrip("\n"), counted])
 
 

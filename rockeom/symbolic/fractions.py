@@ -65,7 +65,7 @@ def expanded(expr: sp.Expr) -> sp.Expr:
 
 
 def _expanded_above(expr: sp.Expr, generators: set[sp.Expr]) -> sp.Expr:
-    """Expansion of an expression by SymPy's rule that a product in a denominator is multiplied out."""
+    """Expansion by SymPy, which multiplies out a product in a denominator, too."""
     if not 0 < len(generators) <= MOST_GENERATORS:
         return sp.expand(expr)
     ring = _ring(frozenset(generators))
@@ -165,7 +165,7 @@ class _Values:
 
 
 def _sum_of_fractions(fractions: Iterable[Any]) -> Any:
-    """Sum with equal denominators first: they are few, and a common divisor is costly."""
+    """Sum of fractions, equal denominators first: most have one of few, and divisors are costly."""
     above: dict[Any, Any] = {}
     for x in fractions:
         above[x.denom] = above.get(x.denom, 0) + x.numer

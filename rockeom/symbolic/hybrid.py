@@ -82,9 +82,6 @@ class HybridModel:
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
-    sources : dict of str to str, optional
-        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
-        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -92,6 +89,9 @@ class HybridModel:
     falls : dict of Coordinate to sympy.Expr, optional
         Further coordinates, each with the size at which the structure has overturned, as it has
         where the rotation reaches `overturning`.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     """
 
     name: str

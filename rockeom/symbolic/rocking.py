@@ -172,9 +172,6 @@ class RockingModel(HybridModel, Declared):
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
-    sources : dict of str to str, optional
-        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
-        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -182,6 +179,9 @@ class RockingModel(HybridModel, Declared):
     falls : dict of Coordinate to sympy.Expr, optional
         Further coordinates, each with the size at which the structure has overturned, as it has
         where the rotation reaches `overturning`.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     search : Search, optional
         Search of the mode that follows an event; None for transitions that are declared.
 
@@ -311,7 +311,7 @@ class RockingModel(HybridModel, Declared):
         >>> bool(rk.derive("rigid_block").compare(housner, mode="right", ground=()))
         True
         """
-        if (mode is None) == (impact is None):
+        if (mode is None) == (impact is None) or not isinstance(impact, tuple | list | None):
             raise InputError("mode", of="compare").says(
                 'give the mode of an equation of motion, mode="right", or the modes before and '
                 'after an impact, impact=("right", "left")'

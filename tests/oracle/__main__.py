@@ -8,23 +8,27 @@ import time
 
 import rockeom as rk
 from tests.oracle.ways import ROUNDING, by_numba, by_numpy, differences, printed, python
-from tests.shipped import PINNED
+from tests.shipped import PINNED, plain
 from tests.soak import bounds
 from tests.soak.cases import MODELS, draw
 
 
 def main() -> int:
     bad = 0
-    for i, model in enumerate(MODELS):
-        structure = draw(i).structure
+    drawn = {model: draw(i).structure for i, model in enumerate(MODELS)}
+    newer = {name: rk.structure(name, **plain(name)) for name in PINNED if name not in drawn}
+    for model, structure in (drawn | newer).items():
         module, started = structure.module, time.monotonic()
-        plain, machine, jitted = python(module, "DOP853"), printed(module), by_numba(module)
-        found = [f"Python: {d}" for d in differences(module, structure.vector, plain, machine, 50)]
-        found += [f"numba: {d}" for d in differences(module, structure.vector, jitted, machine, 50)]
-        if model in PINNED:
-            arrays = by_numpy(module, rk.derive(model))
-            unlike = differences(module, structure.vector, arrays, machine, 50, ulps=ROUNDING)
-            found += [f"NumPy: {d}" for d in unlike]
+        interpreted, machine, jitted = python(module, "DOP853"), printed(module), by_numba(module)
+        arrays = by_numpy(module, rk.derive(model))
+        found = []
+        for way, other, ulps in [
+            ("Python", interpreted, 0.0),
+            ("numba", jitted, 0.0),
+            ("NumPy", arrays, ROUNDING),
+        ]:
+            unlike = differences(module, structure.vector, other, machine, 50, ulps)
+            found += [f"{way}: {difference}" for difference in unlike]
         bad += len(found)
         took = time.monotonic() - started
         print(f"{model}: {len(found)} differences, {took:.0f} s", *found[:10], sep="\n    ")

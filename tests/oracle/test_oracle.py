@@ -31,7 +31,7 @@ def test_functions_of_a_structure_have_the_bits_of_python(structure):
 
 
 def test_numpy_functions_numba_and_machine_code_give_the_same_rates():
-    """Of other structures by `make oracle`, and by tests/codegen/test_generated_functions.py."""
+    """All structures: `make oracle`, and tests/codegen/test_generated_functions.py."""
     structure = STRUCTURES["flexible structure"]
     module, vector = structure.module, structure.vector
     machine = printed(module)

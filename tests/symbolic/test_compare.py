@@ -60,7 +60,14 @@ def test_damping_coriolis_and_springs_are_told_apart():
 
 
 @pytest.mark.parametrize(
-    "name", ["two_spring_structure", "two_spring_cart", "dirac_delta_block", "uplifting_oscillator"]
+    "name",
+    [
+        "two_spring_structure",
+        "two_spring_cart",
+        "dirac_delta_block",
+        "uplifting_oscillator",
+        "substitute_gravity_wall",  # with named functions
+    ],
 )
 def test_modes_whose_rotation_is_free_or_held_read_their_own_equation_and_no_other(name):
     """On both springs and in flight the rotation is free, and has no side."""
@@ -110,6 +117,55 @@ def test_combination_of_equations_holds_and_is_no_multiple_of_one():
         assert str(comparison).startswith("It holds in every motion")
 
 
+@pytest.mark.parametrize(
+    "name", ["two_spring_cart", "controlled_wall", "controlled_wall_oscillator"]
+)
+def test_definitions_and_named_functions_are_read_as_they_are_printed(name):
+    model = rk.derive(name)
+    equations = model.equations("left")
+    for printed in (equations, equations.dynamic()):
+        assert model.compare(printed.residual[0], mode="left").equal
+    wrong = equations.residual[0] + model.rotation.position
+    assert model.compare(wrong, mode="left").difference.keys() == {"springs and forces"}
+
+
+def test_ground_and_rates_go_by_the_names_of_the_literature():
+    m, g, alpha, R, I_o, theta = sp.symbols("m g alpha R I_o theta")
+    moving = dynamicsymbols("x_g").diff(dynamicsymbols._t, 2)
+    for a_x in (moving, sp.Symbol("u_g''"), sp.Symbol(r"\ddot{u}_{g}")):
+        turning = I_o * sp.Symbol("theta''") + m * g * R * sp.sin(alpha - theta)
+        shaken = m * R * a_x * sp.cos(alpha - theta)
+        assert BLOCK.compare(turning + shaken, mode="right", ground=("a_x",)).equal
+        assert not BLOCK.compare(turning - shaken, mode="right", ground="a_x")
+    before, after = sp.symbols("theta_dot_before theta_dot_after")
+    assert BLOCK.compare(sp.Eq(after, sp.Symbol("e") * before), impact=("right", "left"))
+
+
+@pytest.mark.parametrize(
+    ("name", "mode"), [("dirac_delta_block", "right_tail"), ("two_spring_structure", "both")]
+)
+def test_rotation_that_is_free_on_both_sides_is_not_taken_for_zero(name, mode):
+    model = rk.derive(name)
+    row = model.equations(mode).residual[0]
+    assert model.compare(row, mode=mode).equal
+    assert not model.compare(row + model.rotation.position, mode=mode)
+
+
+def test_coordinate_that_is_held_has_no_rates():
+    assert PIER.compare(PIER.equations("right").residual[1], mode="both").equal
+
+
+def test_terms_of_a_product_and_of_what_has_no_value_at_rest_are_shown_once():
+    e, before, after = sp.symbols("e theta_dot theta_dot_after")
+    product = BLOCK.compare(sp.Eq(after, -e * before), impact=("right", "left"))
+    assert "rest" not in product.difference
+    for infinite in (sp.log(S.theta_dot), 1 / S.gravity, S.mass / S.theta_ddot):
+        wrong = BLOCK.equations("right").residual[0] + infinite
+        comparison = BLOCK.compare(wrong, mode="right")
+        assert comparison.difference.keys() == {"equation"}
+        assert str(comparison).startswith("Unequal")
+
+
 def test_unevaluated_rate_of_a_momentum_is_read_in_time_and_refused_in_plain_symbols():
     theta = dynamicsymbols("theta")
     m, B, H, I_g, g = sp.symbols("m B H I_g g")
@@ -140,6 +196,11 @@ def test_decimal_fractions_are_compared_to_their_rounding():
         (S.theta, {"mode": "right", "ground": ("a_z",)}, "a_z"),
         (S.theta / (S.s - 1), {"mode": "right"}, "is not finite"),
         ("theta_ddot", {"mode": "right"}, "equation"),
+        (1 / (sp.sin(S.mass) ** 2 + sp.cos(S.mass) ** 2 - 1), {"mode": "right"}, "not finite"),
+        (S.theta_ddot, {"mode": "both"}, "no coordinate moves"),
+        (S.theta_ddot, {"impact": "right"}, "the modes before and after"),
+        (sp.Eq(sp.Matrix([S.theta]), sp.zeros(1)), {"mode": "right"}, "equation"),
+        (sp.Function("theta")(sp.Symbol("t") - 1), {"mode": "right"}, "at one time t"),
         (sp.true, {"mode": "right"}, "equation"),
     ],
 )

@@ -516,6 +516,8 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         lambda: tower(overturning="__import__('os').getcwd()"),
         ("tower", "overturning", "SymPy"),
     ),
+    "a source of no equation": (lambda: tower(sources={"w": "2-9"}), ("sources", "energy_ratio")),
+    "a source that is TeX": (lambda: tower(sources={"u": "$x$"}), ("sources of u", "'$x$'")),
     "a small symbol as text": (lambda: rocking(small=("theta",)), ("small theta", "symbol")),
     "a state set by text": (
         lambda: switch("both", "left", sets={"theta": sp.S.Zero}),

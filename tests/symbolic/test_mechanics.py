@@ -11,7 +11,6 @@ import rockeom as rk
 from rockeom import symbolic
 from rockeom.symbolic import Contact, Force, Model, Pinned, Rigid, Spring, feet
 from rockeom.symbolic.lagrange import derive_equations
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 x, y, theta, phi = COORDINATES = me.dynamicsymbols("x y theta phi")
 m, b, h, inertia, g, k, ell = SYMBOLS = sp.symbols("m b h I g k ell", positive=True)
@@ -92,14 +91,9 @@ def lagrange(model: Model, bodies, forces=()) -> sp.Matrix:
     theirs = me.LagrangesMethod(
         energy, q, forcelist=list(forces), frame=N
     ).form_lagranges_equations()
-    flight = derive_equations(model.free).residual
-    flight = flight.xreplace({GROUND_X: 0, GROUND_Y: 0})
-    back = {}
-    for c, x_t in zip(model.coordinates, q, strict=True):
-        back |= {c.position: x_t, c.velocity: x_t.diff(), c.acceleration: x_t.diff().diff()}
-    return (theirs - flight.xreplace(back)).applyfunc(
-        lambda e: sp.trigsimp(sp.expand(sp.expand_trig(e)))
-    )
+    still = dict.fromkeys(me.dynamicsymbols("a_x a_y"), 0)
+    flight = derive_equations(model.free).dynamic().residual.xreplace(still)
+    return (theirs - flight).applyfunc(lambda e: sp.trigsimp(sp.expand(sp.expand_trig(e))))
 
 
 def pendulum() -> tuple[Any, Any]:

@@ -1,5 +1,7 @@
 """Derived equations as a reader meets them: names, signs and forms are those of SymPy and books."""
 
+import copy
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -124,6 +126,26 @@ def test_deviation_moves_by_the_linear_equations_to_second_order():
     assert max(abs(sp.N(e.subs({small: 0} | numbers), 20)) for e in rest) < 1e-12
 
 
+def test_state_of_a_structure_with_named_functions_is_linearised_with_its_side():
+    """Forces about a state, by differences of the accelerations that `lambdify` gives."""
+    wall, h = rk.derive("controlled_wall"), 1e-6
+    values = {p.name: 0.3 + 0.02 * i for i, p in enumerate(wall.parameters)}
+    state = {"theta": -0.1, "theta_dot": 0.2}
+    of = wall.lambdify()["left"]
+
+    def acceleration(theta):
+        y = [theta if x == "theta" else state.get(x, 0.0) for x in wall.states]
+        return of.accelerations(y, values)[0]
+
+    at = {"theta_ddot": acceleration(-0.1)}
+    linear = wall.linearize("left", state | at)
+    numbers = {p.symbol: values[p.name] for p in wall.parameters}
+    mass, stiffness, force = (float(m[0].subs(numbers)) for m in (linear.M, linear.K, linear.f0))
+    slope = (acceleration(-0.1 + h) - acceleration(-0.1 - h)) / (2 * h)
+    assert stiffness == pytest.approx(-mass * slope, rel=1e-6)
+    assert force == pytest.approx(0.0, abs=1e-9)
+
+
 def test_class_instance_and_name_have_one_derivation():
     block = rk.RigidBlock(half_width=0.1, half_height=0.4)
     assert rk.derive(block) is rk.derive(rk.RigidBlock) is BLOCK is rk.derive(BLOCK)
@@ -181,6 +203,10 @@ def test_repr_is_a_line_and_impulse_maps_are_of_one_side(name):
     assert "\n" not in repr(model)
     assert len(repr(model)) < 100
     assert model._repr_latex_().startswith("$$")
+    if "both" in getattr(model, "mode_names", ()):
+        full = model.equations("both")
+        assert full._repr_latex_().startswith("$$")
+        assert full.q or str(full).strip() == "no coordinate moves"
     impacts = [t for t in getattr(model, "transitions", ()) if t.kind == "impact"]
     for t in impacts:
         derived = model.impulse_map(t.source, t.target)
@@ -214,6 +240,7 @@ def test_symbols_are_attributes_and_a_mapping():
     assert s["theta_dot"] is s.theta_dot is PIER.rotation.velocity
     assert PIER.equations("right").residual.free_symbols <= {*s.values()}
     assert "stiffness" in dir(s)
+    assert {**copy.deepcopy(s)} == {**s}
 
 
 def test_forms_are_those_of_the_models_declared_in_them():

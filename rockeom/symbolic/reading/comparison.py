@@ -5,6 +5,7 @@ equation times cos(theta) has solutions that the derived one lacks.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import mpmath  # type: ignore[import-untyped]
@@ -15,9 +16,9 @@ from sympy.core.function import AppliedUndef
 from rockeom.numbers.checks import InputError, InputTypeError, near, require_word
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.hybrid import HybridModel
-from rockeom.symbolic.impulse import AFTER, at_impact
+from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.lagrange import Equations
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import GROUND_X, GROUND_Y, NamedFunction
 from rockeom.symbolic.reading.symbols import Symbols
 from rockeom.symbolic.text.page import Display, to_markdown, to_text
 from rockeom.symbolic.text.plain import mathematics
@@ -34,6 +35,8 @@ SAMPLES = 6
 """Random states, each with parameters of its own."""
 RATIO_OF_VELOCITIES, RATIO_OF_ENERGIES = sp.symbols("e r", real=True)
 
+_OF_THE_GROUND = {"x": GROUND_X, "u": GROUND_X, "y": GROUND_Y, "v": GROUND_Y}
+"""Letters of the ground's displacement in the literature, and the acceleration."""
 _GROUND = {"horizontal excitation": GROUND_X, "vertical excitation": GROUND_Y}
 
 
@@ -97,9 +100,8 @@ class _Derived:
     """Derived equations, row = 0 each, with what a typed one is compared by.
 
     solution : unknowns of the rows, accelerations or velocities after an impact, by their values.
-    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : -1 or 1,
-    0 where the rotation is held at zero, and its sign where it is free. constants : by parameters.
-    terms : splits an equation into physical terms.
+    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : see
+    `_side`. terms : splits an equation into physical terms.
     """
 
     rows: Mapping[str, sp.Expr]
@@ -107,8 +109,7 @@ class _Derived:
     pivots: tuple[sp.Symbol, ...]
     moving: tuple[sp.Symbol, ...]
     rotation: sp.Symbol
-    side: sp.Expr
-    constants: Mapping[sp.Symbol, sp.Expr]
+    side: int | None
     terms: Callable[[sp.Expr], dict[str, sp.Expr]]
 
 
@@ -116,11 +117,16 @@ def compared(
     model: HybridModel, equation: sp.Expr | sp.Eq, mode: str, ground: Collection[str]
 ) -> Comparison:
     """An equation against the equations of motion of a mode; see `RockingModel.compare`."""
-    equations = model.equations(mode).map(lambda e: model.in_mode(e, mode))
+    equations = model.equations(mode).map(lambda e: _written_out(model, e, mode))
     names = [c.name for c in model.mode(mode).coordinates]
+    if not names:
+        raise InputError("mode", mode, "compare").so("no coordinate moves in it")
+    ground = (ground,) if isinstance(ground, str) else ground or ()
     for name in ground:
         require_word("ground", name, ("a_x", "a_y"), "compare")
     absent = {x: 0 for x in (GROUND_X, GROUND_Y) if str(x) not in ground}
+    for c in (c for c in model.coordinates if c.name not in names):
+        absent |= {c.velocity: 0, c.acceleration: 0}
     solution = zip(equations.accelerations, equations.rhs()[len(names) :], strict=True)
     gravity = sorted(model.mode(mode).gravity.free_symbols, key=str)
     derived = _Derived(
@@ -130,10 +136,9 @@ def compared(
         tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
         model.rotation.position,
         _side(model, mode),
-        model.constants,
         lambda e: _terms_of_motion(e, equations, gravity),
     )
-    return _judged(derived, _typed(equation, _names(model), derived).subs(absent))
+    return _judged(derived, _typed(equation, _names(model), model, mode).subs(absent))
 
 
 def compared_at_impact(
@@ -149,7 +154,9 @@ def compared_at_impact(
         ratios = {RATIO_OF_VELOCITIES: ratio, RATIO_OF_ENERGIES: ratio**2}
     names = {str(x): x for x in ratios} | _names(model)
     for c, x in zip(impulse.coordinates, after, strict=True):
-        names |= {_plain(f"{c.name}_dot_after"): x, _plain(str(x)): x}
+        names |= {f"{c.name}_dot_after": x, _plain(str(x)): x}
+    for c in model.coordinates:
+        names |= {f"{c.name}_dot_before": c.velocity, _plain(str(at_impact(c, BEFORE))): c.velocity}
     unknowns = (*after, *ratios)
     rates = tuple(c.velocity for c in model.coordinates)
     derived = _Derived(
@@ -160,17 +167,24 @@ def compared_at_impact(
         (*(c.position for c in model.coordinates), *rates),
         model.rotation.position,
         _side(model, source),
-        model.constants,
         lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
     )
-    typed = _typed(equation, names, derived).subs(model.rotation.position, 0)
+    typed = _typed(equation, names, model, source).subs(model.rotation.position, 0)
     return _judged(derived, typed)
 
 
-def _side(model: HybridModel, name: str) -> sp.Expr:
-    mode, q = model.mode(name), model.rotation
-    free = q in mode.coordinates and not mode.side_of(name)
-    return sp.sign(q.position) if free else sp.Integer(mode.side_of(name))
+def _written_out(model: HybridModel, expr: sp.Expr, mode: str) -> sp.Expr:
+    """An expression in a mode, in states and parameters alone."""
+    expr = model.in_mode(expr, mode)
+    for symbol, value in reversed(model.constants.items()):
+        expr = expr.xreplace({symbol: value})
+    return expr
+
+
+def _side(model: HybridModel, mode: str) -> int | None:
+    """The sign of the rotation in a mode, 0 where it is held; None where it may have either."""
+    of = model.mode(mode)
+    return of.side_of(mode) or (None if model.rotation in of.coordinates else 0)
 
 
 # --- what was typed
@@ -189,6 +203,13 @@ def _names(model: HybridModel) -> dict[str, sp.Expr]:
     for c in model.coordinates:
         letter = _plain(str(c.position))
         names |= {f"{letter}_dot": c.velocity, f"{letter}_ddot": c.acceleration}
+        names |= {f"{letter}'": c.velocity, f"{letter}''": c.acceleration}
+    for letter, acceleration in _OF_THE_GROUND.items():
+        names |= dict.fromkeys(
+            (f"{letter}_g_ddot", f"ddot{letter}_g", f"{letter}_g''"), acceleration
+        )
+    for f in model.functions:
+        names |= {_plain(str(f.symbol)): f.symbol} if f.symbol.is_Symbol else {}
     shapes = {str(p.symbol): value for p, value in polar_parameters(model)}
     return shapes | _of_the_pivot(model, shapes) | names
 
@@ -208,33 +229,56 @@ def _of_the_pivot(model: HybridModel, shapes: Mapping[str, sp.Expr]) -> dict[str
     return {"I_o": inertia, "p": sp.sqrt(body.mass * mode.gravity * shapes["R"] / inertia)}
 
 
-def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _Derived) -> sp.Expr:
+def _typed(
+    equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], model: HybridModel, mode: str
+) -> sp.Expr:
     """Left minus right-hand side of an equation, in symbols of the model."""
-    if not isinstance(equation, sp.Expr | sp.Equality):
+    sides = equation.args if isinstance(equation, sp.Equality) else (equation, sp.S.Zero)
+    if not all(isinstance(side, sp.Expr) and not side.is_Matrix for side in sides):
         raise InputTypeError("equation", equation, "compare").give(
             "an expression of SymPy, which is then zero, or an sympy.Eq"
         )
-    equality = isinstance(equation, sp.Equality)
-    expr = equation.lhs - equation.rhs if equality else equation
-    for rate in expr.atoms(sp.Derivative):
-        if not rate.atoms(AppliedUndef):
+    expr = sides[0] - sides[1]
+    expr = _without_functions(expr, model.functions)
+    for rate in sorted(expr.atoms(sp.Derivative), key=str):
+        if not rate.atoms(AppliedUndef) and not rate.expr.has(*rate.variables):
             raise InputError("equation", of="compare").says(
                 f"{rate} is a rate of plain symbols: write it out, with theta_ddot, or take "
                 "dynamicsymbols"
             )
     expr = expr.doit()
-    put: dict[sp.Expr, sp.Expr] = {SIDE: derived.side}
-    for item in expr.atoms(sp.Derivative, AppliedUndef, sp.Symbol):
+    times = sorted({str(x) for call in expr.atoms(AppliedUndef) for x in call.args})
+    if len(times) > 1 or not all(map(str.isidentifier, times)):
+        raise InputError("equation", of="compare").says(
+            f"its functions are of {', '.join(times)}: write all of them at one time t"
+        )
+    side = _side(model, mode)
+    q = model.rotation.position
+    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.sign(q) if side is None else sp.Integer(side)}
+    rates = {rate: sp.Dummy() for rate in expr.atoms(sp.Derivative)}
+    others = expr.xreplace(rates).atoms(AppliedUndef, sp.Symbol) - {*rates.values()}
+    for item in sorted(others | rates.keys(), key=str):
         if _in_time(item):
             put[item] = _meant(_name_in_time(item), names)
         elif item.is_Symbol and item.name != "s" and not _is_time(item, expr):
             put[item] = _meant(item.name, names)
     put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
-    q = derived.rotation
-    expr = expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
-    if expr.has(sp.nan, sp.zoo, sp.oo):
-        raise InputError("equation", of="compare").so("it is not finite in this mode")
+    expr = _written_out(model, expr, mode)
+    if side is not None:
+        expr = expr.subs({sp.sign(q): side, sp.Abs(q): side * q})
+    if not _is_finite(expr):
+        raise _not_finite()
+    return expr
+
+
+def _without_functions(expr: sp.Expr, functions: Collection[NamedFunction]) -> sp.Expr:
+    """An expression with functions such as b(theta), also of theta(t), in place of their names."""
+    for function in reversed([f for f in functions if f.symbol.args]):
+        (of,), name = function.symbol.args, function.symbol.name
+        for call in sorted(expr.atoms(AppliedUndef), key=str):
+            if call.name == name and getattr(call.args[0], "name", None) == of.name:
+                expr = expr.subs(call, function.value.subs(of, call.args[0]))
     return expr
 
 
@@ -252,6 +296,15 @@ def _name_in_time(item: sp.Basic) -> str:
     if not isinstance(item, sp.Derivative):
         return str(item.func)
     return f"{item.expr.func}_{'d' * item.derivative_count}ot"
+
+
+def _is_finite(expr: sp.Expr) -> bool:
+    return not expr.has(sp.nan, sp.zoo, sp.oo)
+
+
+def _not_finite() -> InputError:
+    text = "the equation is not finite in this mode: multiply by what it divides by"
+    return InputError("equation", of="compare").says(text)
 
 
 def _meant(name: str, names: Mapping[str, sp.Expr]) -> sp.Expr:
@@ -279,6 +332,8 @@ def _judged(derived: _Derived, typed: sp.Expr) -> Comparison:
         return Comparison(tried[0][0], False, _short(tried[0][2]), True)
     terms = {row: derived.terms(row) for _, row, _ in tried}
     mine = derived.terms(typed)
+    if not all(map(_is_finite, mine.values())):  # it has no value at rest
+        mine, terms = {"equation": typed}, {row: {"equation": row} for row in terms}
     name, row, factor = min(tried, key=lambda of: len(numbers.unlike(mine, of[2], terms[of[1]])))
     factor = _short(factor)
     difference = numbers.unlike(mine, factor, terms[row])
@@ -297,7 +352,7 @@ def _factors(typed: sp.Expr, row: sp.Expr, derived: _Derived) -> Iterator[sp.Exp
     yield sp.S.One
     for x in derived.pivots:
         over, under = (sp.diff(e, x).subs(still) for e in (typed, row))
-        if over != 0 and under != 0 and over != under and not over.has(sp.nan, sp.zoo, sp.oo):
+        if over != 0 and under != 0 and over != under and _is_finite(over):
             yield over / under
 
 
@@ -308,7 +363,6 @@ class _Numbers:
         self.derived, self.typed = derived, typed
         self.bound = SAME_AS_TYPED if typed.has(sp.Float) else SAME
         every = [typed, *derived.rows.values(), *derived.solution.values()]
-        every += derived.constants.values()
         symbols = set().union(*(e.free_symbols for e in every)) | {*derived.solution}
         self.symbols = sorted(symbols, key=str)
         rng = np.random.default_rng(5)
@@ -319,9 +373,10 @@ class _Numbers:
         values = {x: mpmath.mpf(rng.uniform(0.2, 0.9)) for x in self.symbols}
         signed = {*self.derived.moving, *self.derived.solution, GROUND_X, GROUND_Y}
         values |= {x: values[x] * int(rng.choice([-1, 1])) for x in self.symbols if x in signed}
-        q, side = self.derived.rotation, self.derived.side
-        lean = {q: abs(values[q]) * int(side)} if q in values and side.is_Integer else {}
-        return values | lean
+        q = self.derived.rotation
+        if q in values and self.derived.side is not None:
+            values[q] = abs(values[q]) * self.derived.side
+        return values
 
     def of(self, expr: sp.Expr) -> list[mpmath.mpf]:
         """Values of an expression in the samples."""
@@ -331,10 +386,10 @@ class _Numbers:
 
     def at(self, expr: sp.Expr, samples: Iterable[Mapping[sp.Symbol, mpmath.mpf]]) -> list:
         names = {x: sp.Symbol(f"x{i}") for i, x in enumerate(self.symbols)}
-        numbered = expr.xreplace(self.derived.constants).xreplace(names)
-        function = sp.lambdify([*names.values()], numbered, modules="mpmath")
-        with mpmath.workdps(DIGITS):
+        function = sp.lambdify([*names.values()], expr.xreplace(names), modules="mpmath")
+        with mpmath.workdps(DIGITS), suppress(ZeroDivisionError):
             return [function(*(sample[x] for x in self.symbols)) for sample in samples]
+        raise _not_finite()
 
     def same(self, one: sp.Expr, factor: sp.Expr, other: sp.Expr) -> bool:
         """Whether an expression is a factor times another one, whatever their symbols are.
@@ -363,7 +418,8 @@ class _Numbers:
         """
         sizes = [abs(x) for x in self.of(typed)]
         if max(sizes) < self.bound:
-            raise InputError("equation", of="compare").so("it is an identity: 0 = 0")
+            text = "the equation holds whatever its symbols are: it is an identity, 0 = 0"
+            raise InputError("equation", of="compare").says(text)
         solved = [dict(sample) for sample in self.samples]
         for x, value in self.derived.solution.items():
             for sample, number in zip(solved, self.of(value), strict=True):
@@ -377,9 +433,14 @@ class _Numbers:
 
 def _linear_terms(expr: sp.Expr, by: Mapping[str, sp.Symbol]) -> dict[str, sp.Expr]:
     """Terms of an expression that is linear in some symbols, and the rest."""
-    terms = {name: x * sp.diff(expr, x) for name, x in by.items() if expr.has(x)}
-    rest = expr - sum(terms.values(), sp.S.Zero)
-    return terms | ({"rest": rest} if rest != 0 else {})
+    terms = {}
+    for name, x in by.items():
+        without = expr.subs(x, 0)
+        if expr.has(x) and _is_finite(without):
+            linear = x * sp.diff(expr, x)
+            terms[name] = expr - without if linear.free_symbols & {*by.values()} - {x} else linear
+            expr = without
+    return terms | ({"rest": expr} if expr != 0 else {})
 
 
 def _terms_of_motion(

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from rockeom.numbers.checks import InputError, near
-from rockeom.symbolic.algebra import tidy
+from rockeom.symbolic.algebra import MOST_TERMS, number_of_terms, tidy
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reading.symbols import Symbols
@@ -67,26 +67,30 @@ class Linearization(Shown):
         parts = [(self.M, x_ddot), (self.C, x_dot), (self.K, x), (self.f0, "")]
         left = " + ".join(f"{sp.latex(m)} {word}".strip() for m, word in parts if any(m))
         ground = sp.latex(sp.Matrix([GROUND_X, GROUND_Y]))
-        return [f"{left} = {sp.latex(self.F)} {ground}"]
+        return [f"{left} = {sp.latex(self.F)} {ground}"] if self.q else []
 
     def __repr__(self) -> str:
         return f"<Linearization in {', '.join(map(str, self.q))}>"
 
 
+def _tidy(expr: sp.Expr) -> sp.Expr:
+    return tidy(expr) if number_of_terms(expr) <= MOST_TERMS else expr
+
+
 def _short(expr: sp.Expr) -> sp.Expr:
-    return sp.factor(tidy(expr))
+    return sp.factor(_tidy(expr)) if number_of_terms(expr) <= MOST_TERMS else expr
 
 
 def linearized(
     model: HybridModel, mode: str, op_point: Mapping[Any, Any] | None = None
 ) -> Linearization:
     """The equations of a mode to first order, see `RockingModel.linearize`."""
-    equations = model.equations(mode).map(model.written_out)
+    equations = model.equations(mode).map(lambda e: model.in_mode(e, mode))
     put = _state(Symbols.of(model), op_point or {})
     ground = sp.Matrix([GROUND_X, GROUND_Y])
 
     def here(m: sp.Matrix) -> sp.Matrix:
-        return m.subs(put).applyfunc(tidy)
+        return m.xreplace(put).applyfunc(_tidy)
 
     residual = equations.residual
     q, u, accelerations = equations.q, equations.u, equations.accelerations

@@ -66,7 +66,9 @@ class Symbols(Mapping[str, sp.Symbol]):
         return len(self._by_name)
 
     def __getattr__(self, name: str) -> sp.Symbol:
-        if name.startswith("_") or name not in self._by_name:
+        if name.startswith("_"):  # while it is copied it has no names yet
+            raise AttributeError(name)
+        if name not in self._by_name:
             letters = {str(symbol): own for own, symbol in self._by_name.items()}
             return explained.missing(self, name, lambda: {own: own for own in self} | letters)
         return self._by_name[name]

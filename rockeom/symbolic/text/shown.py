@@ -6,6 +6,9 @@ TEXT_WIDTH = 100
 """Columns of `str`, which goes to terminals, files and cells alike."""
 
 
+NOTHING = r"\text{no coordinate moves}"
+
+
 class Shown:
     """An object that is some equations: `repr` is a line, a notebook and `str` show them all."""
 
@@ -14,7 +17,10 @@ class Shown:
         raise NotImplementedError
 
     def _repr_latex_(self) -> str:
-        return to_markdown([Display(tuple(self.equation_lines()))])
+        return to_markdown([self._display()])
 
     def __str__(self) -> str:
-        return to_text([Display(tuple(self.equation_lines()))], TEXT_WIDTH).rstrip("\n")
+        return to_text([self._display()], TEXT_WIDTH).rstrip("\n")
+
+    def _display(self) -> Display:
+        return Display(tuple(self.equation_lines()) or (NOTHING,))
