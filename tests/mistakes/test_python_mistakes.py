@@ -489,7 +489,7 @@ ANALYSES = [
 ]  # fmt: skip
 
 DECLARATIONS = [
-    mistake(TYPE, lambda: rk.derive(BLOCK), TypeError, "name is RigidBlock", "shipped structure"),
+    mistake(TYPE, lambda: rk.derive(3), TypeError, "structure is 3", "a class such as"),
     mistake(SIGN, lambda: rk.derive("shear_frame", storeys=-1), ValueError, "storeys is -1"),
     mistake(
         MISSING, lambda: symbolic.parameter("m", "mass"), TypeError,

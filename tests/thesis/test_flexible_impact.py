@@ -131,7 +131,7 @@ def rigid_column(model: RockingModel) -> RockingModel:
         )
 
     modes = tuple(rigid(mode) for mode in model.modes)
-    return replace(model, coordinates=(model.rotation,), modes=modes)
+    return replace(model, coordinates=(model.rotation,), modes=modes, sources={})
 
 
 def minus_5_14(ratio: sp.Expr, side: int) -> sp.Expr:
