@@ -181,10 +181,11 @@ class Quantities:
 
     def columns(self, names: Sequence[str]) -> Evaluate:
         """The function that gives quantities (n, m) at times, states and modes (n,)."""
-        wanted = sorted({self.family(name) for name in names})
+        states = self.structure.states
+        wanted = sorted({self.family(name) for name in names if name not in states})
 
         def columns(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
-            quantities: dict[str, np.ndarray] = {}
+            quantities: dict[str, Any] = dict(zip(states, y.T, strict=True))
             for family in wanted:
                 quantities |= self.of_family(family, Rows(t, y, mode))
             return np.column_stack([quantities[name] for name in names])
@@ -206,14 +207,18 @@ class Quantities:
         return quantities
 
     def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
-        """Extremes within the steps; those of a family are searched together."""
+        """Extremes within the steps; those of a family are searched together.
+
+        States alone are there without an evaluation of the program.
+        """
         missing: dict[str, list[str]] = {}
         for name in names:
             family = self.family(name)
             if name not in self.extremes:
                 missing.setdefault(family, []).append(name)
         for family, some in missing.items():
-            together = some if family else self.main_names  # all of them in no more time
+            states = set(some) <= {*self.structure.states}
+            together = some if family or states else self.main_names  # all in no more time
             steps = self.steps(f"what {', '.join(some)} was at most")
             largest = extremes(steps, self.columns(together))
             self.extremes.update(zip(together, largest, strict=True))
