@@ -294,6 +294,8 @@ for side, name in [(1, "right"), (-1, "left")]:
     (engine,) = model.equations(name).residual
     ours = both_sides.subs({s: side, I_O: I_G + m * R**2})
     assert sp.simplify(engine.subs(to_polar) - ours) == 0
+    (polar,) = model.equations(name, form="polar").residual
+    assert sp.simplify(polar.subs({GROUND_X: a_g, GROUND_Y: 0}) - ours) == 0
 
 # %% [markdown]
 # The forces of the ground agree as well. On the right foot they are those of (3):
@@ -461,6 +463,9 @@ assert sp.simplify(falling.subs(t, upright)) == 0
 (slender,) = equation("2-3").right
 linear = I_O * theta_dd + m * g * R * (alpha - theta)
 assert sp.simplify(slender.lhs - slender.rhs - linear) == 0
+(by_one_call,) = model.equations("right", form="slender").residual
+at_rest_below = {GROUND_X: 0, GROUND_Y: 0}
+assert sp.simplify(by_one_call.subs(at_rest_below) - linear.subs(I_O, I_G + m * R**2)) == 0
 period, frequency = equation("2-5").right
 assert sp.simplify(period.rhs - 4 * upright) == 0
 assert sp.simplify(frequency.rhs**2 - m * g * R / I_O) == 0

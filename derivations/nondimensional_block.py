@@ -155,7 +155,8 @@ assert sp.simplify(definitions["2-11"].rhs * clock - Omega * tau) == 0
 
 # %% [markdown]
 # The engine's model `nondimensional_block` declares a block in these units from the start: mass 1,
-# gravity 1. Its Lagrange equation is (3) times a constant.
+# gravity 1. Its Lagrange equation is (3) times a constant. The equation of `rigid_block` becomes (3)
+# by one call, too.
 
 # %%
 model = rk.derive("nondimensional_block")
@@ -164,6 +165,8 @@ harmonic = {GROUND_X: alpha * beta * sp.cos(omega * t), GROUND_Y: 0}
 for side, name in [(1, "right"), (-1, "left")]:
     (engine,) = model.equations(name).residual
     assert sp.simplify(engine.subs(harmonic) - alpha * rho * ours.subs(s, side)) == 0
+    (scaled,) = rk.derive(rk.RigidBlock).equations(name, form="nondimensional").residual
+    assert sp.simplify(scaled.subs(harmonic) - ours.subs(s, side) / alpha) == 0
 
 # %% [markdown]
 # And in numbers: two blocks of one shape, one six times as large, and the scaled one.
