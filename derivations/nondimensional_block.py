@@ -155,8 +155,8 @@ assert sp.simplify(definitions["2-11"].rhs * clock - Omega * tau) == 0
 
 # %% [markdown]
 # The engine's model `nondimensional_block` declares a block in these units from the start: mass 1,
-# gravity 1. Its Lagrange equation is (3) times a constant. The equation of `rigid_block` becomes (3)
-# by one call, too.
+# gravity 1. Its Lagrange equation is (3) times a constant. That of `rigid_block` becomes (3) by one
+# call, too.
 
 # %%
 model = rk.derive("nondimensional_block")

@@ -272,6 +272,7 @@ class RockingModel(HybridModel, Declared):
         mode: str | None = None,
         impact: tuple[str, str] | None = None,
         ground: Collection[str] = ("a_x", "a_y"),
+        values: Mapping[str, sp.Expr | float] | None = None,
     ) -> Comparison:
         """An equation typed by a reader, a paper's or a student's, against the derived ones.
 
@@ -289,6 +290,9 @@ class RockingModel(HybridModel, Declared):
         ground : collection of str, optional
             Accelerations of the ground that act; () for free motion, ("a_x",) for an equation
             without vertical ones.
+        values : dict of str to sympy.Expr or float, optional
+            Values of parameters in both equations, such as ``{"inertia": m*(B**2 + H**2)/3}`` of a
+            uniform block, with symbols by name, too.
 
         Returns
         -------
@@ -317,8 +321,8 @@ class RockingModel(HybridModel, Declared):
                 'after an impact, impact=("right", "left")'
             )
         if impact is not None:
-            return compared_at_impact(self, equation, *impact)
-        return compared(self, equation, str(mode), ground)
+            return compared_at_impact(self, equation, *impact, values or {})
+        return compared(self, equation, str(mode), ground, values or {})
 
     def lambdify(self) -> dict[str, NumpyMode]:
         """NumPy functions of arrays for every mode, for notebooks and checks of other programs.

@@ -10,6 +10,7 @@ from tests.symbolic.rewritings import RIGHT, WRONG
 BLOCK = rk.derive("rigid_block")
 PIER = rk.derive("flexible_structure")
 S = BLOCK.symbols
+IMPACT = {"impact": ("right", "left")}
 HOUSNER = sp.sympify("Eq(theta_ddot, -p**2*sin(alpha - theta))")
 
 
@@ -105,6 +106,21 @@ def test_equation_without_ground_motion_is_equal_where_the_ground_rests():
     assert "ground=()" in str(BLOCK.compare(HOUSNER, mode="right"))
     assert BLOCK.compare(HOUSNER, mode="right", ground=()).equal
     assert not BLOCK.compare(HOUSNER, mode="left", ground=())
+
+
+def test_equations_of_a_uniform_block_are_those_with_its_inertia():
+    """Housner's p**2 = 3 g/(4 R) and r = (1 - 3/2 sin(alpha)**2)**2."""
+    m, B, H, g, R, r, alpha, theta, turns = sp.symbols("m B H g R r alpha theta theta_ddot")
+    uniform = {"inertia": m * (B**2 + H**2) / 3}
+    motion = sp.Eq(turns, -sp.Rational(3, 4) * g / R * sp.sin(alpha - theta))
+    impact = sp.Eq(r, (1 - sp.Rational(3, 2) * sp.sin(alpha) ** 2) ** 2)
+    for equation, where in ((motion, {"mode": "right", "ground": ()}), (impact, IMPACT)):
+        assert not BLOCK.compare(equation, **where)
+        assert BLOCK.compare(equation, **where, values=uniform).equal
+    assert not BLOCK.compare(sp.Eq(r, 1 - sp.sin(alpha) ** 2), **IMPACT, values=uniform)
+    for wrong in ({"inertia": "m*B**2"}, {"I_g": m}):
+        with pytest.raises((rk.InputError, TypeError), match=r"equation|values"):
+            BLOCK.compare(impact, **IMPACT, values=wrong)
 
 
 def test_combination_of_equations_holds_and_is_no_multiple_of_one():

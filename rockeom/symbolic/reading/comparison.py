@@ -6,7 +6,7 @@ equation times cos(theta) has solutions that the derived one lacks.
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
@@ -114,8 +114,9 @@ class _Derived:
 
 
 def compared(
-    model: HybridModel, equation: sp.Expr | sp.Eq, mode: str, ground: Collection[str]
-) -> Comparison:
+    model: HybridModel, equation: sp.Expr | sp.Eq, mode: str, ground: Collection[str],
+    values: Mapping[str, sp.Expr | float],
+) -> Comparison:  # fmt: skip
     """An equation against the equations of motion of a mode; see `RockingModel.compare`."""
     equations = model.equations(mode).map(lambda e: _written_out(model, e, mode))
     names = [c.name for c in model.mode(mode).coordinates]
@@ -138,12 +139,14 @@ def compared(
         _side(model, mode),
         lambda e: _terms_of_motion(e, equations, gravity),
     )
-    return _judged(derived, _typed(equation, _names(model), model, mode).subs(absent))
+    typed = _typed(equation, _names(model), model, mode).subs(absent)
+    return _judged(*_with_values(derived, typed, model, mode, values))
 
 
 def compared_at_impact(
-    model: HybridModel, equation: sp.Expr | sp.Eq, source: str, target: str
-) -> Comparison:
+    model: HybridModel, equation: sp.Expr | sp.Eq, source: str, target: str,
+    values: Mapping[str, sp.Expr | float],
+) -> Comparison:  # fmt: skip
     """An equation against an impulse map, and the ratios of the structure held rigid."""
     impulse = model.impulse_map(source, target)
     after = [at_impact(c, AFTER) for c in impulse.coordinates]
@@ -170,7 +173,22 @@ def compared_at_impact(
         lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
     )
     typed = _typed(equation, names, model, source).subs(model.rotation.position, 0)
-    return _judged(derived, typed)
+    return _judged(*_with_values(derived, typed, model, source, values))
+
+
+def _with_values(
+    derived: _Derived, typed: sp.Expr, model: HybridModel, mode: str,
+    values: Mapping[str, sp.Expr | float],
+) -> tuple[_Derived, sp.Expr]:  # fmt: skip
+    """Derived equations and a typed one, with values of parameters in both."""
+    symbols, put = {p.name: p.symbol for p in model.parameters}, {}
+    for name, value in values.items():
+        require_word("values", name, symbols, "compare")
+        number = sp.Number(value) if isinstance(value, int | float) else value
+        put[symbols[name]] = _typed(number, _names(model), model, mode)
+    rows = {name: row.subs(put) for name, row in derived.rows.items()}
+    solution = {x: e.subs(put) for x, e in derived.solution.items()}
+    return replace(derived, rows=rows, solution=solution), typed.subs(put)
 
 
 def _written_out(model: HybridModel, expr: sp.Expr, mode: str) -> sp.Expr:
