@@ -113,28 +113,16 @@ class Search:
 
         All at once: the time goes with the number of calls, not with that of places.
         """
-        rows = np.arange(len(index))
+        rows, of = np.arange(len(index)), np.repeat(np.arange(len(index)), len(FINER))
         for _ in range(NARROWINGS):
-            x, t, f = self.finely(index, low, high, column, sign)
+            x = low[:, None] + (high - low)[:, None] * FINER
+            t, values = self.at(index[of], x.ravel())
+            f = sign[of] * values[np.arange(len(of)), column[of]]
+            f = np.where(np.isnan(f), -np.inf, f).reshape(x.shape)
             best = f.argmax(axis=1)
             low = x[rows, np.maximum(best - 1, 0)]
             high = x[rows, np.minimum(best + 1, len(FINER) - 1)]
-        return t[rows, best], f[rows, best]
-
-    def finely(
-        self,
-        index: np.ndarray,
-        low: np.ndarray,
-        high: np.ndarray,
-        column: np.ndarray,
-        sign: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(places, times, values of sign * quantity) (n, places) between low and high."""
-        x = low[:, None] + (high - low)[:, None] * FINER
-        of = np.repeat(np.arange(len(index)), len(FINER))
-        t, values = self.at(index[of], x.ravel())
-        f = sign[of] * values[np.arange(len(of)), column[of]]
-        return x, t.reshape(x.shape), np.where(np.isnan(f), -np.inf, f).reshape(x.shape)
+        return t.reshape(x.shape)[rows, best], f[rows, best]
 
 
 class Running:
@@ -193,16 +181,14 @@ class Running:
         """Find the extremes in the steps that are held, which then need not be held any more."""
         best, when = self.best, self.when
         assert best is not None
-        for search, block in self.pieces:
-            for first in range(0, len(block[0]), BRACKETS):
-                part = _worth_narrowing(
-                    search, tuple(a[first : first + BRACKETS] for a in block), best
-                )
-                index, low, high, side, column, _ = part
-                t, value = search.narrowed(index, low, high, column, _SIGNS[side])
-                for i in np.flatnonzero(value > best[side, column]):
-                    if value[i] > best[side[i], column[i]]:
-                        best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
+        for search, (index, low, high, side, column, _) in self.pieces:
+            brackets = (index, low, high, column, _SIGNS[side])
+            some = [slice(i, i + BRACKETS) for i in range(0, len(index), BRACKETS)]
+            parts = [search.narrowed(*(a[part] for a in brackets)) for part in some]
+            t, value = map(np.concatenate, zip(*parts, strict=True))
+            for i in np.flatnonzero(value > best[side, column]):
+                if value[i] > best[side[i], column[i]]:
+                    best[side[i], column[i]], when[side[i], column[i]] = value[i], t[i]
         self.pieces = []
 
     def found(self) -> list[Extremes]:
@@ -228,34 +214,12 @@ def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extr
     return running.found()
 
 
-def _worth_narrowing(
-    search: Search, block: tuple[np.ndarray, ...], best: np.ndarray
-) -> tuple[np.ndarray, ...]:
-    """Brackets without those that places closer to one another show to stay below the best."""
-    index, low, high, side, column, _ = block
-    f = search.finely(index, low, high, column, _SIGNS[side])[2]
-    least, most = best.copy(), f.max(axis=1)
-    np.maximum.at(least, (side, column), most)
-    with np.errstate(invalid="ignore"):
-        bound = most + _bend(f)
-        may = ~(bound < least[side, column])  # where it is not a number, as well
-    return tuple(a[may] for a in block)
-
-
-def _bend(f: np.ndarray) -> np.ndarray:
-    """Room for more than the values f (n, places, ...) show: their largest second difference.
-
-    Between equal places a parabola rises by an eighth of it; this is eight times that.
-    """
-    bend: np.ndarray = np.abs(f[:, 2:] - 2.0 * f[:, 1:-1] + f[:, :-2]).max(axis=1)
-    return bend
-
-
 def _candidates(f: np.ndarray, x: np.ndarray, best: np.ndarray) -> tuple[np.ndarray, ...]:
     """Steps, brackets, signs and columns of the local maxima that may exceed the best place."""
     least = best + 1e-14 * np.where(np.isfinite(best), np.abs(best), 0.0)
+    # between equal places a parabola rises by an eighth of the second difference: eight times that
     with np.errstate(invalid="ignore"):
-        bend = _bend(f[1])
+        bend = np.abs(f[1, :, 2:] - 2.0 * f[1, :, 1:-1] + f[1, :, :-2]).max(axis=1)
         reach = f.max(axis=2) + bend > least[:, None]
     (some,) = np.nonzero(reach.any(axis=(0, 2)))  # few of the steps of a long motion
     f, x, bound = f[:, some], x[some], f[:, some] + bend[some, None]

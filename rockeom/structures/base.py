@@ -975,11 +975,6 @@ class FixedBase(Structure):
         """
         return self.rocking.parameters()
 
-    @property
-    def derivation(self) -> dict[str, Any]:
-        """Arguments of `rockeom.derive` besides the name of the model, such as its storeys."""
-        return {}
-
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         return self.rocking.parameter_at(path[1:])
 

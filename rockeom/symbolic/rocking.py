@@ -28,12 +28,12 @@ from rockeom.symbolic.reading.symbols import Symbols
 from rockeom.symbolic.text.page import to_text
 from rockeom.symbolic.text.shown import TEXT_WIDTH
 from rockeom.symbolic.write.typeset import (
+    WrittenEquations,
+    WrittenImpulseMap,
     content,
     latex_document,
     markdown_page,
     notebook_display,
-    written,
-    written_map,
 )
 
 _MEANT = {
@@ -227,10 +227,11 @@ class RockingModel(HybridModel, Declared):
         derived = super().equations(name) if form == "width" else in_form(self, name, form)
         if form == "nondimensional":
             return derived
-        return written(derived, self.mode(name), self)
+        return WrittenEquations.of(derived, self.mode(name), self)
 
     def impulse_map(self, source: str, target: str) -> ImpulseMap:
-        return written_map(super().impulse_map(source, target), self.mode(target), self)
+        derived = super().impulse_map(source, target)
+        return WrittenImpulseMap.of(derived, self.mode(target), self)
 
     def linearize(
         self, mode: str, op_point: Mapping[str | sp.Symbol, sp.Expr | float] | None = None

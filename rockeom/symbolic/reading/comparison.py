@@ -280,7 +280,7 @@ def _typed(
             put[item] = _meant(_name_in_time(item), names)
         elif item.is_Symbol and item.name != "s" and not _is_time(item, expr):
             put[item] = _meant(item.name, names)
-    put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
+    put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s"}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
     expr = _written_out(model, expr, mode)
     if side is not None:

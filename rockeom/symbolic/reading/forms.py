@@ -70,7 +70,6 @@ def _nondimensional(mode: Mode) -> Equations:
 
 
 FORMS: dict[str, Callable[[Mode], Equations]] = {
-    "width": lambda mode: mode.equations,
     "polar": in_polar_form,
     "small": _small_rotation,
     "slender": _slender,
@@ -79,7 +78,7 @@ FORMS: dict[str, Callable[[Mode], Equations]] = {
 
 
 def in_form(model: HybridModel, name: str, form: str) -> Equations:
-    """Equations of a mode in a form, its side and its switches put in; see `FORMS`."""
-    require_word("form", form, FORMS)
+    """Equations of a mode in one of `FORMS`, its side and its switches put in."""
+    require_word("form", form, ("width", *FORMS))
     mode = model.mode(name)
     return FORMS[form](mode).map(lambda e: mode.put(e, name))

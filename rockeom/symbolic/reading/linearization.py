@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from rockeom.numbers.checks import InputError, near
-from rockeom.symbolic.algebra import MOST_TERMS, number_of_terms, tidy
+from rockeom.symbolic.algebra import MOST_TERMS, brief, number_of_terms
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reading.symbols import Symbols
@@ -73,12 +73,8 @@ class Linearization(Shown):
         return f"<Linearization in {', '.join(map(str, self.q))}>"
 
 
-def _tidy(expr: sp.Expr) -> sp.Expr:
-    return tidy(expr) if number_of_terms(expr) <= MOST_TERMS else expr
-
-
 def _short(expr: sp.Expr) -> sp.Expr:
-    return sp.factor(_tidy(expr)) if number_of_terms(expr) <= MOST_TERMS else expr
+    return sp.factor(brief(expr)) if number_of_terms(expr) <= MOST_TERMS else expr
 
 
 def linearized(
@@ -90,7 +86,7 @@ def linearized(
     ground = sp.Matrix([GROUND_X, GROUND_Y])
 
     def here(m: sp.Matrix) -> sp.Matrix:
-        return m.xreplace(put).applyfunc(_tidy)
+        return m.xreplace(put).applyfunc(brief)
 
     residual = equations.residual
     q, u, accelerations = equations.q, equations.u, equations.accelerations
@@ -116,11 +112,9 @@ def _state(symbols: Symbols, op_point: Mapping[Any, Any]) -> dict[sp.Symbol, sp.
                 f"{key} is no coordinate, velocity or acceleration{near(str(key), names)}: "
                 f"there are {', '.join(names)}"
             )
-        put[symbol] = sp.sympify(value) if not isinstance(value, str) else _refuse(key, value)
+        if isinstance(value, str):
+            raise InputError("op_point", of="linearize").says(
+                f"the value of {key} is a text, {value!r}: give a number or an expression of SymPy"
+            )
+        put[symbol] = sp.sympify(value)
     return put
-
-
-def _refuse(key: Any, value: str) -> sp.Expr:
-    raise InputError("op_point", of="linearize").says(
-        f"the value of {key} is a text, {value!r}: give a number or an expression of SymPy"
-    )

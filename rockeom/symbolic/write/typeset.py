@@ -1,7 +1,8 @@
 """Derived equations for people: LaTeX and Markdown, as one would write them in a paper."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
 import sympy as sp
 
@@ -31,56 +32,39 @@ from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_mo
 from rockeom.symbolic.write.symbols import energies, listed, symbols_of
 
 
+@dataclass(frozen=True, repr=False, kw_only=True)
+class _OfMode:
+    """Derived object of a mode, with the records that its notation needs."""
+
+    mode: Mode
+    model: HybridModel
+
+    @classmethod
+    def of(cls, derived: Any, mode: Mode, model: HybridModel) -> Self:
+        parts = {f.name: getattr(derived, f.name) for f in fields(derived)}
+        return cls(**parts, mode=mode, model=model)
+
+    @property
+    def notation(self) -> Notation:
+        return Notation(self.mode, self.model)
+
+
 @dataclass(frozen=True, repr=False)
-class WrittenEquations(Equations):
-    """Equations of a mode that are shown as one would write them in a paper.
-
-    Parameters
-    ----------
-    mode : Mode
-        Mode that they are the equations of.
-    model : HybridModel
-        Model of the mode.
-    """
-
-    mode: Mode = field(kw_only=True)
-    model: HybridModel = field(kw_only=True)
+class WrittenEquations(_OfMode, Equations):
+    """Equations of a mode that are shown as one would write them in a paper."""
 
     def equation_lines(self) -> list[str]:
         """LaTeX of each equation, in the order of the coordinates."""
-        return _lines(self, self.mode.coordinates, Notation(self.mode, self.model))
+        return _lines(self, self.mode.coordinates, self.notation)
 
 
 @dataclass(frozen=True, repr=False)
-class WrittenImpulseMap(ImpulseMap):
-    """Impulse map into a mode that is shown as one would write it in a paper.
-
-    Parameters
-    ----------
-    mode : Mode
-        Mode after the change.
-    model : HybridModel
-        Model of the mode.
-    """
-
-    mode: Mode = field(kw_only=True)
-    model: HybridModel = field(kw_only=True)
+class WrittenImpulseMap(_OfMode, ImpulseMap):
+    """Impulse map into a mode that is shown as one would write it in a paper."""
 
     def equation_lines(self) -> list[str]:
         """LaTeX of each row; - is just before, + just after the change."""
-        return _momentum_lines(self, Notation(self.mode, self.model), self.model)
-
-
-def written_map(derived: ImpulseMap, mode: Mode, model: HybridModel) -> WrittenImpulseMap:
-    """The impulse map into a mode, shown as one would write it."""
-    parts = (derived.coordinates, derived.mass_matrix, derived.momentum)
-    return WrittenImpulseMap(*parts, mode=mode, model=model)
-
-
-def written(equations: Equations, mode: Mode, model: HybridModel) -> WrittenEquations:
-    """The equations of a mode, shown as one would write them."""
-    parts = {f.name: getattr(equations, f.name) for f in fields(Equations)}
-    return WrittenEquations(**parts, mode=mode, model=model)
+        return _momentum_lines(self, self.notation, self.model)
 
 
 def equation_lines(mode: Mode, form: str = "width") -> list[str]:
