@@ -131,7 +131,8 @@ def entry(decision: thesis.Decision) -> str:
         parts += ["Printed minus right:", displayed(one.excess_lines)]
     if one.domain:
         parts.append(f"The printed form is right where {plain(one.domain.words)}.")
-    parts += [plain(_sentence(text)) for text in (one.reason, one.assumption, one.remark) if text]
+    texts = one.reason, one.assumption, one.fitted, one.remark
+    parts += [plain(_sentence(text)) for text in texts if text]
     if one.undetermined:
         parts.append(f"Left open by the text: {plain(_sentence(one.undetermined))}")
     parts += [f"- {_route(check)}" for check in decision.checks]

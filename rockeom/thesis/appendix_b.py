@@ -7,7 +7,7 @@ from sympy import Abs, Add, Expr, Float, Integral, Mul, Pow, Rational, cos, sin
 
 from rockeom.thesis import notation as th
 from rockeom.thesis.chapter_4 import LEVEL, REACH
-from rockeom.thesis.equation import POSITIVE, Kind, Relations, says, section
+from rockeom.thesis.equation import POSITIVE, Kind, section
 
 RISE = Abs(th.Delta) / LEVEL * REACH - th.B * Abs(th.Delta) / th.H
 STIFFNESS = th.E_tendon * th.A_tendon / th.L_T
@@ -20,55 +20,53 @@ def _kept(kind: type[Expr], *parts: Expr) -> Expr:
     return kind(*parts, evaluate=False)
 
 
-def inertia(added_mass_from: Expr) -> Relations:
-    """B-9, with the horizontal distance of the added mass from O."""
-    wall = _kept(Mul, Float("577.56"), (th.H**2 + th.d_lifted**2) / 3)
-    height = _kept(Pow, Float("2.537"), 2)
-    added = _kept(Mul, Float("1438.5"), _kept(Add, height, added_mass_from**2))
-    return says(th.I_o, _kept(Add, _kept(Add, 686, wall), _kept(Add, 442, added)))
+def of_added_mass(across: Expr) -> Expr:
+    """Squared distance of the added mass from O."""
+    return _kept(Add, _kept(Pow, Float("2.537"), 2), across**2)
 
 
 POTENTIAL_ENERGY = section(
     "B.1",
     Kind.CLOSED_FORM(
-        "B-1",
-        "uplift of the base at the tendon, on the centreline",
-        says(th.u_tendon, th.u_edge - th.B * sin(th.theta)),
+        "B-1 uplift of the base at the tendon, on the centreline",
+        th.u_tendon,
+        th.u_edge - th.B * sin(th.theta),
         sides=POSITIVE,
     ),
     Kind.CLOSED_FORM(
-        "B-2", "B-1 by the displacement", says(th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H)
+        "B-2 B-1 by the displacement", th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H
     ),
-    Kind.CLOSED_FORM("B-3", "B-2 with 4-9", says(th.u_tendon, RISE)),
+    Kind.CLOSED_FORM("B-3 B-2 with 4-9", th.u_tendon, RISE),
     Kind.APPROXIMATION(
-        "B-4",
-        "gravitational energy, as 4-18",
-        says(th.U_of, th.m_T * th.g * RISE),
+        "B-4 gravitational energy, as 4-18",
+        th.U_of,
+        th.m_T * th.g * RISE,
         remark="In mJ where lengths are in mm.",
     ),
 )
 
 KINETIC_ENERGY = section(
     "B.2",
-    Kind.DEFINITION("B-5", "rotation by the displacement", says(sin(th.theta), th.Delta / th.H)),
+    Kind.DEFINITION("B-5 rotation by the displacement", sin(th.theta), th.Delta / th.H),
     Kind.CLOSED_FORM(
-        "B-6", "its rate", says(th.theta_d, th.Delta_d / (th.H * cos(th.theta)), th.Delta_d / LEVEL)
+        "B-6 its rate", th.theta_d, th.Delta_d / (th.H * cos(th.theta)), th.Delta_d / LEVEL
     ),
-    Kind.APPROXIMATION("B-7", "the same for a small rotation", says(th.theta_d, th.Delta_d / th.H)),
+    Kind.APPROXIMATION("B-7 the same for a small rotation", th.theta_d, th.Delta_d / th.H),
     Kind.APPROXIMATION(
-        "B-8",
-        "kinetic energy, as 4-19",
-        says(th.E_k_of, Rational(1, 2) / th.H**2 * th.I_o * th.Delta_d**2),
+        "B-8 kinetic energy, as 4-19", th.E_k_of, Rational(1, 2) / th.H**2 * th.I_o * th.Delta_d**2
     ),
     Kind.DEFINITION(
-        "B-9",
-        "moment of inertia about the centre of rotation, of the wall and of the added mass",
-        inertia(th.d_lifted),
-        inertia(th.d_lifted - th.B),
-        "The added mass stands on the centreline, at the distance d - B from O. As printed the "
-        "migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and less "
-        "than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
-        excess=(Float("1438.5") * th.B * (2 * th.d_lifted - th.B),),
+        "B-9 moment of inertia about the centre of rotation, of the wall and of the added mass",
+        th.I_o,
+        _kept(
+            Add,
+            _kept(Add, 686, _kept(Mul, Float("577.56"), (th.H**2 + th.d_lifted**2) / 3)),
+            _kept(Add, 442, _kept(Mul, Float("1438.5"), of_added_mass(th.d_lifted))),
+        ),
+        correction={of_added_mass(th.d_lifted): of_added_mass(th.d_lifted - th.B)},
+        reason="The added mass stands on the centreline, at the distance d - B from O. As printed "
+        "the migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and "
+        "less than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
     ),
 )
@@ -76,39 +74,33 @@ KINETIC_ENERGY = section(
 TENDON_ENERGY = section(
     "B.3",
     Kind.DEFINITION(
-        "B-10",
-        "elastic energy stored between two extensions",
-        says(th.energy_stored, Integral(th.k * th.x, (th.x, th.x_1, th.x_2))),
+        "B-10 elastic energy stored between two extensions",
+        th.energy_stored,
+        Integral(th.k * th.x, (th.x, th.x_1, th.x_2)),
     ),
     Kind.CLOSED_FORM(
-        "B-11",
-        "extension of the tendon by its force",
-        says(th.x_2, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon)),
+        "B-11 extension of the tendon by its force",
+        th.x_2,
+        th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon),
     ),
     Kind.CLOSED_FORM(
-        "B-12",
-        "elastic energy of the tendon before it yields",
-        says(
-            th.U_E_of,
-            Integral(
-                STIFFNESS * th.x, (th.x, BEFORE, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon))
-            ),
-            th.L_T / (2 * th.E_tendon * th.A_tendon) * th.P_tendon**2 - Float("244.050"),
+        "B-12 elastic energy of the tendon before it yields",
+        th.U_E_of,
+        Integral(
+            STIFFNESS * th.x, (th.x, BEFORE, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon))
         ),
+        th.L_T / (2 * th.E_tendon * th.A_tendon) * th.P_tendon**2 - Float("244.050"),
         remark="The line between the two has 6.4564E-03, which is the same in metres.",
     ),
     Kind.CLOSED_FORM(
-        "B-13",
-        "elastic energy of the tendon after it has yielded",
-        says(
-            th.U_E_of,
-            _kept(
-                Add,
-                Integral(STIFFNESS * th.x, (th.x, BEFORE, AT_YIELD)),
-                _kept(Mul, Float("159.03"), th.extension - (AT_YIELD - BEFORE)),
-            ),
-            Float("159.03") * th.extension - Float("297.22"),
+        "B-13 elastic energy of the tendon after it has yielded",
+        th.U_E_of,
+        _kept(
+            Add,
+            Integral(STIFFNESS * th.x, (th.x, BEFORE, AT_YIELD)),
+            _kept(Mul, Float("159.03"), th.extension - (AT_YIELD - BEFORE)),
         ),
+        Float("159.03") * th.extension - Float("297.22"),
         remark="For a displacement that grows. 159.03 kN are 900 MPa on 176.7 mm2; section 4.2 "
         "has 160 kN and 177 mm2.",
     ),

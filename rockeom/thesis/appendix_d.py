@@ -4,11 +4,11 @@ Typed by hand from the thesis, in its own symbols. A vector is a column (i, j), 
 pivot of its side: O for theta > 0, O' for theta < 0.
 """
 
-from sympy import Derivative, Matrix, Rational, cos, sign, sin
+from sympy import Derivative, Integer, Matrix, Rational, cos, sign, sin
 
 from rockeom.thesis import notation as th
 from rockeom.thesis.chapter_5 import THETA_OF_MODEL_C, U_OF_MODEL_C
-from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, says, section
+from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, replaced, says, section
 from rockeom.thesis.notation import R_b, R_e, alpha_b, alpha_e, m_b, m_e, theta, theta_d, u, u_d
 
 X_E = -R_e * sin(alpha_e - theta) + u * cos(theta)
@@ -20,19 +20,10 @@ def kinetic(mass, squared_speed, inertia):
     return Rational(1, 2) * mass * squared_speed + Rational(1, 2) * inertia * theta_d**2
 
 
-def d_8_brackets(sign):
-    """The first line of D-8, with the sign of u' sin(theta) in its second bracket."""
-    return kinetic(
-        m_e,
-        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-        + (
-            R_e * theta_d * sin(alpha_e - theta)
-            - theta_d * u * cos(theta)
-            + sign * u_d * sin(theta)
-        )
-        ** 2,
-        th.I_eg,
-    )
+D_8_BRACKETS = (
+    R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta),
+    R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) + u_d * sin(theta),
+)
 
 
 def d_8_squares(rate, last):
@@ -72,7 +63,7 @@ T_B_FIRST = kinetic(
     th.I_bg,
 )
 T_B = kinetic(m_b, R_b * theta_d**2, th.I_bg)
-T_B_CORRECTED = kinetic(m_b, R_b**2 * theta_d**2, th.I_bg)
+SQUARED = {m_b * R_b * theta_d**2 / 2: m_b * R_b**2 * theta_d**2 / 2}
 V_OF_MODEL_C = (
     m_e * th.g * (R_e * cos(alpha_e - theta) - u * sin(theta))
     + m_b * th.g * (R_b * cos(alpha_b - theta))
@@ -80,158 +71,76 @@ V_OF_MODEL_C = (
 )
 
 
-def rotation_of_model_c(side, sway):
-    """D-19 or D-23, by the sign of theta and that of u cos(theta) in the gravity term."""
-    return says(
-        (
-            m_e * R_e**2
-            + m_e * u**2
-            - side * 2 * m_e * u * R_e * sin(alpha_e)
-            + th.I_eg
-            + m_b * R_b**2
-            + th.I_bg
-        )
-        * th.theta_dd
-        + (2 * m_e * u * u_d - side * 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-        + m_e * th.u_dd * R_e * cos(alpha_e)
-        + side * m_e * th.g * (R_e * sin(alpha_e - side * theta) + sway * u * cos(theta))
-        + side * m_b * th.g * R_b * sin(alpha_b - side * theta),
-        -m_e * th.a_g * (R_e * cos(alpha_e - side * theta) - u * sin(theta))
-        - m_b * th.a_g * R_b * cos(alpha_b - side * theta),
-    )
+def on_side(relations, side):
+    """Relations for one sign of theta."""
+    return replaced(relations, {th.s: Integer(side)})
 
 
-STEPS = section(
+FROM_RIGHT_PIVOT = section(
     "Appendix D",
     Kind.DEFINITION(
-        "D-1",
-        "position of the superstructure from O",
-        says(th.r_e, Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)])),
-        sides=POSITIVE,
+        "D-1 position of the superstructure from O",
+        th.r_e,
+        Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)]),
     ),
     Kind.DEFINITION(
-        "D-2",
-        "position of the base structure from O",
-        says(th.r_b, Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)])),
-        says(th.r_b, Matrix([X_B, R_b * cos(alpha_b - theta)])),
-        "alpha_e is printed for alpha_b.",
-        excess=(
-            R_b * (sin(alpha_b - theta) - sin(alpha_e - theta)),
-            R_b * (cos(alpha_e - theta) - cos(alpha_b - theta)),
-        ),
-        sides=POSITIVE,
+        "D-2 position of the base structure from O",
+        th.r_b,
+        Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)]),
+        correction={f(alpha_e - theta): f(alpha_b - theta) for f in (sin, cos)},
+        reason="alpha_e is printed for alpha_b.",
     ),
     Kind.CLOSED_FORM(
-        "D-3",
-        "velocity of the superstructure",
-        says(
-            th.v_e,
-            Matrix(
-                [
-                    theta_d * R_e * cos(alpha_e - theta)
-                    - theta_d * u * sin(theta)
-                    + u_d * cos(theta),
-                    theta_d * R_e * sin(alpha_e - theta)
-                    - theta_d * u * cos(theta)
-                    - u_d * sin(theta),
-                ]
-            ),
-        ),
-        sides=POSITIVE,
-    ),
-    Kind.CLOSED_FORM(
-        "D-4",
-        "velocity of the base structure",
-        says(
-            th.v_b,
-            Matrix([theta_d * R_b * cos(alpha_e - theta), theta_d * R_b * sin(alpha_e - theta)]),
-        ),
-        says(
-            th.v_b,
-            Matrix([theta_d * R_b * cos(alpha_b - theta), theta_d * R_b * sin(alpha_b - theta)]),
-        ),
-        "alpha_e is printed for alpha_b.",
-        excess=(
-            R_b * theta_d * (cos(alpha_e - theta) - cos(alpha_b - theta)),
-            R_b * theta_d * (sin(alpha_e - theta) - sin(alpha_b - theta)),
-        ),
-        sides=POSITIVE,
-    ),
-    Kind.DEFINITION(
-        "D-5",
-        "Lagrange's equation with a dissipation function",
-        says(
-            Derivative(
-                Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t.diff(th.t)), th.t
-            )
-            - Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t)
-            + Derivative(th.DISSIPATION(th.q_t.diff(th.t)), th.q_t.diff(th.t)),
-            th.Q_i,
-        ),
-    ),
-    Kind.DEFINITION("D-6", "Lagrangian", says(th.L, th.T - th.V), sides=POSITIVE),
-    Kind.DEFINITION("D-7", "kinetic energy", says(th.T, th.T_e + th.T_b), sides=POSITIVE),
-    Kind.CLOSED_FORM(
-        "D-8",
-        "kinetic energy of the superstructure",
-        says(th.T_e, d_8_brackets(1), kinetic(m_e, sum(d_8_squares(1, cos)), th.I_eg)),
-        says(th.T_e, d_8_brackets(-1), kinetic(m_e, sum(d_8_squares(theta_d, sin)), th.I_eg)),
-        "Four slips: + u' sin(theta) for - u' sin(theta) in the second bracket; theta' missing "
-        "in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 sin(theta)^2 in "
-        "the square of the second bracket.",
-        excess=(
-            2 * m_e * u_d * theta_d * sin(theta) * (R_e * sin(alpha_e - theta) - u * cos(theta)),
-            Rational(1, 2) * m_e * u_d**2 * cos(2 * theta),
-        ),
-        sides=POSITIVE,
-    ),
-    Kind.DEFINITION(
-        "D-9",
-        "sine of a sum",
-        says(
-            sin(th.A_angle + th.PM * th.B_angle),
-            sin(th.A_angle) * cos(th.B_angle) + th.PM * cos(th.A_angle) * sin(th.B_angle),
-        ),
-    ),
-    Kind.DEFINITION(
-        "D-10",
-        "cosine of a sum",
-        says(
-            cos(th.A_angle + th.PM * th.B_angle),
-            cos(th.A_angle) * cos(th.B_angle) - th.PM * sin(th.A_angle) * sin(th.B_angle),
+        "D-3 velocity of the superstructure",
+        th.v_e,
+        Matrix(
+            [
+                theta_d * R_e * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta),
+                theta_d * R_e * sin(alpha_e - theta) - theta_d * u * cos(theta) - u_d * sin(theta),
+            ]
         ),
     ),
     Kind.CLOSED_FORM(
-        "D-11", "kinetic energy of the superstructure", says(th.T_e, T_E), sides=POSITIVE
+        "D-4 velocity of the base structure",
+        th.v_b,
+        Matrix([theta_d * R_b * cos(alpha_e - theta), theta_d * R_b * sin(alpha_e - theta)]),
+        correction={f(alpha_e - theta): f(alpha_b - theta) for f in (sin, cos)},
+        reason="alpha_e is printed for alpha_b.",
     ),
+    Kind.DEFINITION("D-6 Lagrangian", th.L, th.T - th.V),
+    Kind.DEFINITION("D-7 kinetic energy", th.T, th.T_e + th.T_b),
     Kind.CLOSED_FORM(
-        "D-12",
-        "kinetic energy of the base structure",
-        says(th.T_b, T_B_FIRST, T_B),
-        says(th.T_b, T_B_FIRST, T_B_CORRECTED),
-        "R_b is not squared in the last line.",
-        excess=(0, Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2),
-        sides=POSITIVE,
+        "D-8 kinetic energy of the superstructure",
+        th.T_e,
+        kinetic(m_e, D_8_BRACKETS[0] ** 2 + D_8_BRACKETS[1] ** 2, th.I_eg),
+        kinetic(m_e, sum(d_8_squares(1, cos)), th.I_eg),
+        correction={
+            u_d * sin(theta): -u_d * sin(theta),
+            2 * u_d**2 * cos(theta) ** 2: u_d**2 * cos(theta) ** 2 + u_d**2 * sin(theta) ** 2,
+        },
+        reason="Four slips: + u' sin(theta) for - u' sin(theta) in the second bracket; theta' "
+        "missing in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 "
+        "sin(theta)^2 in the square of the second bracket.",
     ),
-    Kind.CLOSED_FORM("D-13", "potential energy", says(th.V, V_OF_MODEL_C), sides=POSITIVE),
+    Kind.CLOSED_FORM("D-11 kinetic energy of the superstructure", th.T_e, T_E),
     Kind.CLOSED_FORM(
-        "D-14",
-        "Lagrangian written out",
-        says(th.L, T_E + T_B - V_OF_MODEL_C),
-        says(th.L, T_E + T_B_CORRECTED - V_OF_MODEL_C),
-        "R_b is not squared in the kinetic energy of the base structure, as in D-12.",
-        excess=(Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2,),
-        sides=POSITIVE,
+        "D-12 kinetic energy of the base structure",
+        th.T_b,
+        T_B_FIRST,
+        T_B,
+        correction=SQUARED,
+        reason="R_b is not squared in the last line.",
+    ),
+    Kind.CLOSED_FORM("D-13 potential energy", th.V, V_OF_MODEL_C),
+    Kind.CLOSED_FORM(
+        "D-14 Lagrangian written out",
+        th.L,
+        T_E + T_B - V_OF_MODEL_C,
+        correction=SQUARED,
+        reason="R_b is not squared in the kinetic energy of the base structure, as in D-12.",
     ),
     Kind.DEFINITION(
-        "D-15",
-        "dissipation function (the thesis calls it a force)",
-        says(th.F_nc, Rational(1, 2) * th.c * u_d**2),
-    ),
-    Kind.DEFINITION(
-        "D-16",
-        "generalised forces of the d'Alembert loads -m a_g i",
-        (),
+        "D-16 generalised forces of the d'Alembert loads -m a_g i",
         (
             *says(
                 th.Q_theta,
@@ -239,102 +148,60 @@ STEPS = section(
             ),
             *says(th.Q_u, -m_e * th.a_g * Derivative(X_E, u) - m_b * th.a_g * Derivative(X_B, u)),
         ),
-        "Not legible; the definition of a generalised force, of which D-17 and D-18 follow.",
-        sides=POSITIVE,
+        illegible="Not legible; the definition of a generalised force, of which D-17 and D-18 "
+        "follow.",
     ),
     Kind.CLOSED_FORM(
-        "D-17",
-        "generalised force of the rotation",
-        says(
-            th.Q_theta,
-            -m_e * th.a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
-            - m_b * th.a_g * R_b * cos(alpha_b - theta),
-        ),
-        sides=POSITIVE,
+        "D-17 generalised force of the rotation",
+        th.Q_theta,
+        -m_e * th.a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
+        - m_b * th.a_g * R_b * cos(alpha_b - theta),
     ),
     Kind.CLOSED_FORM(
-        "D-18",
-        "generalised force of the deformation",
-        says(th.Q_u, -m_e * th.a_g * cos(theta)),
-        sides=POSITIVE,
+        "D-18 generalised force of the deformation", th.Q_u, -m_e * th.a_g * cos(theta)
     ),
     Kind.MOTION(
-        "D-19",
-        "Model C for theta > 0: rotation",
-        (),
-        rotation_of_model_c(1, -1),
-        "Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
-        sides=POSITIVE,
+        "D-19 Model C for theta > 0: rotation",
+        on_side(THETA_OF_MODEL_C, 1),
+        illegible="Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
     ),
     Kind.MOTION(
-        "D-20",
-        "Model C for theta > 0: deformation",
-        (),
-        says(
-            m_e * th.u_dd
-            + m_e * R_e * cos(alpha_e) * th.theta_dd
-            - (m_e * u - m_e * R_e * sin(alpha_e)) * theta_d**2
-            - m_e * th.g * sin(theta)
-            + th.k * u
-            + th.c * u_d,
-            -m_e * th.a_g * cos(theta),
+        "D-20 Model C for theta > 0: deformation",
+        on_side(U_OF_MODEL_C, 1),
+        illegible="Not legible; D-5 with D-14 (corrected), D-15 and D-18.",
+    ),
+    sides=POSITIVE,
+)
+
+FROM_LEFT_PIVOT = section(
+    "Appendix D",
+    Kind.DEFINITION(
+        "D-21 position of the superstructure from O'",
+        th.r_e,
+        Matrix(
+            [
+                R_e * sin(alpha_e + theta) + u * cos(theta),
+                R_e * cos(alpha_e + theta) - u * sin(theta),
+            ]
         ),
-        "Not legible; D-5 with D-14 (corrected), D-15 and D-18.",
-        sides=POSITIVE,
     ),
     Kind.DEFINITION(
-        "D-21",
-        "position of the superstructure from O'",
-        says(
-            th.r_e,
-            Matrix(
-                [
-                    R_e * sin(alpha_e + theta) + u * cos(theta),
-                    R_e * cos(alpha_e + theta) - u * sin(theta),
-                ]
-            ),
-        ),
-        sides=NEGATIVE,
-    ),
-    Kind.DEFINITION(
-        "D-22",
-        "position of the base structure from O'",
-        says(th.r_b, Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)])),
-        says(th.r_b, Matrix([R_b * sin(alpha_b + theta), R_b * cos(alpha_b + theta)])),
-        "alpha_e is printed for alpha_b.",
-        excess=(
-            R_b * (sin(alpha_e + theta) - sin(alpha_b + theta)),
-            R_b * (cos(alpha_e + theta) - cos(alpha_b + theta)),
-        ),
-        sides=NEGATIVE,
+        "D-22 position of the base structure from O'",
+        th.r_b,
+        Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)]),
+        correction={f(alpha_e + theta): f(alpha_b + theta) for f in (sin, cos)},
+        reason="alpha_e is printed for alpha_b.",
     ),
     Kind.MOTION(
-        "D-23",
-        "Model C for theta < 0: rotation",
-        rotation_of_model_c(-1, -1),
-        rotation_of_model_c(-1, 1),
-        "In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves the "
-        "weight to the right on either side, so that D-19, D-23 and D-25 alike have "
-        "-m_e g u cos(theta).",
-        excess=(2 * m_e * th.g * u * cos(theta),),
-        sides=NEGATIVE,
+        "D-23 Model C for theta < 0: rotation",
+        replaced(on_side(THETA_OF_MODEL_C, -1), {u * cos(theta): -u * cos(theta)}),
+        correction={-u * cos(theta): u * cos(theta)},
+        reason="In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves "
+        "the weight to the right on either side, so that D-19, D-23 and D-25 alike have -m_e g u "
+        "cos(theta).",
     ),
-    Kind.MOTION(
-        "D-24",
-        "Model C for theta < 0: deformation",
-        says(
-            m_e * th.u_dd
-            + m_e * R_e * cos(alpha_e) * th.theta_dd
-            - (m_e * u + m_e * R_e * sin(alpha_e)) * theta_d**2
-            - m_e * th.g * sin(theta)
-            + th.k * u
-            + th.c * u_d,
-            -m_e * th.a_g * cos(theta),
-        ),
-        sides=NEGATIVE,
-    ),
-    Kind.MOTION("D-25", "Model C: rotation, as 5-34", THETA_OF_MODEL_C),
-    Kind.MOTION("D-26", "Model C: deformation, as 5-35", U_OF_MODEL_C),
+    Kind.MOTION("D-24 Model C for theta < 0: deformation", on_side(U_OF_MODEL_C, -1)),
+    sides=NEGATIVE,
 )
 
 # --- the first-order form
@@ -351,50 +218,56 @@ DEFORMATION_ROW = says(
 )
 
 
-def rotation_row(deformation, rate):
-    """Row 4 of D-28, with what stands for u and its rate in the first bracket."""
-    return says(
-        th.f_1 * th.y_2d + th.f_2 * th.y_4d,
-        (S_Y * 2 * m_e * rate * R_e * sin(alpha_e) - 2 * m_e * deformation * rate) * th.y_4
-        - S_Y * m_e * th.g * (R_e * sin(alpha_e - S_Y * th.y_3) - S_Y * th.y_1 * cos(th.y_3))
-        - S_Y * m_b * th.g * R_b * sin(alpha_b - S_Y * th.y_3)
-        - m_e * th.a_g * (R_e * cos(alpha_e - S_Y * th.y_3) - th.y_1 * sin(th.y_3))
-        - m_b * th.a_g * R_b * cos(alpha_b - S_Y * th.y_3),
-    )
+# u and u' stand for y_1 and y_2
+ROTATION_ROW = says(
+    th.f_1 * th.y_2d + th.f_2 * th.y_4d,
+    (S_Y * 2 * m_e * u_d * R_e * sin(alpha_e) - 2 * m_e * u * u_d) * th.y_4
+    - S_Y * m_e * th.g * (R_e * sin(alpha_e - S_Y * th.y_3) - S_Y * th.y_1 * cos(th.y_3))
+    - S_Y * m_b * th.g * R_b * sin(alpha_b - S_Y * th.y_3)
+    - m_e * th.a_g * (R_e * cos(alpha_e - S_Y * th.y_3) - th.y_1 * sin(th.y_3))
+    - m_b * th.a_g * R_b * cos(alpha_b - S_Y * th.y_3),
+)
 
-
-FIRST_ORDER = section(
+ON_EITHER_SIDE = section(
     "Appendix D",
+    Kind.DEFINITION(
+        "D-5 Lagrange's equation with a dissipation function",
+        Derivative(Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t.diff(th.t)), th.t)
+        - Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t)
+        + Derivative(th.DISSIPATION(th.q_t.diff(th.t)), th.q_t.diff(th.t)),
+        th.Q_i,
+    ),
+    Kind.DEFINITION(
+        "D-9 sine of a sum",
+        sin(th.A_angle + th.PM * th.B_angle),
+        sin(th.A_angle) * cos(th.B_angle) + th.PM * cos(th.A_angle) * sin(th.B_angle),
+    ),
+    Kind.DEFINITION(
+        "D-10 cosine of a sum",
+        cos(th.A_angle + th.PM * th.B_angle),
+        cos(th.A_angle) * cos(th.B_angle) - th.PM * sin(th.A_angle) * sin(th.B_angle),
+    ),
+    Kind.DEFINITION(
+        "D-15 dissipation function (the thesis calls it a force)",
+        th.F_nc,
+        Rational(1, 2) * th.c * u_d**2,
+    ),
+    Kind.MOTION("D-25 Model C: rotation, as 5-34", THETA_OF_MODEL_C),
+    Kind.MOTION("D-26 Model C: deformation, as 5-35", U_OF_MODEL_C),
     Kind.PROCEDURE(
-        "D-27",
-        "Model C as a system of first order, y = (u, u', theta, theta')",
-        says(th.M_matrix * th.y_d_column, th.f_column),
+        "D-27 Model C as a system of first order, y = (u, u', theta, theta')",
+        th.M_matrix * th.y_d_column,
+        th.f_column,
         remark="f is a function of t and y; so is M, which D-28 shows.",
     ),
     Kind.PROCEDURE(
-        "D-28",
-        "its rows",
-        (*says(th.y_1d, th.y_2), *DEFORMATION_ROW, *says(th.y_3d, th.y_4), *rotation_row(u, u_d)),
-        (
-            *says(th.y_1d, th.y_2),
-            *DEFORMATION_ROW,
-            *says(th.y_3d, th.y_4),
-            *rotation_row(th.y_1, th.y_2),
-        ),
-        "In the first bracket of the last row u and u' stand for y_1 and y_2: two notations mixed.",
-        excess=(
-            0,
-            0,
-            0,
-            2
-            * m_e
-            * th.y_4
-            * (u * u_d - th.y_1 * th.y_2 - S_Y * R_e * sin(alpha_e) * (u_d - th.y_2)),
-        ),
+        "D-28 its rows",
+        (*says(th.y_1d, th.y_2), *DEFORMATION_ROW, *says(th.y_3d, th.y_4), *ROTATION_ROW),
+        remark="u and u' in the first bracket of the last row are y_1 and y_2, two notations "
+        "mixed.",
     ),
     Kind.PROCEDURE(
-        "D-29",
-        "the coefficients of its last row",
+        "D-29 the coefficients of its last row",
         (
             *says(th.f_1, m_e * R_e * cos(alpha_e)),
             *says(
@@ -410,4 +283,4 @@ FIRST_ORDER = section(
     ),
 )
 
-APPENDIX_D = (*STEPS, *FIRST_ORDER)
+APPENDIX_D = (*FROM_RIGHT_PIVOT, *FROM_LEFT_PIVOT, *ON_EITHER_SIDE)

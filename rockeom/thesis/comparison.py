@@ -12,7 +12,6 @@ import math
 import random
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -21,7 +20,7 @@ from rockeom.symbolic import RockingModel, derive
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import LOAD
 from rockeom.thesis import notation as th
-from rockeom.thesis.equation import Relations
+from rockeom.thesis.equation import stated
 
 
 def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
@@ -198,22 +197,6 @@ def _in_floats(expr: sp.Expr, at: Mapping[sp.Expr, float]) -> tuple[float, float
     return turned, 1.0 + sizes[0]
 
 
-def components(value: Any) -> list[Any]:
-    """The components of a column, or the one of a number."""
-    return list(value) if isinstance(value, sp.MatrixBase) else [value]
-
-
-def stated(relation: sp.Eq) -> list[sp.Expr]:
-    """The value that a relation states, for each component.
-
-    A relation whose left side is a single symbol, or function, gives that a value. Any other states
-    that its left minus its right side vanishes.
-    """
-    named = relation.lhs.is_Symbol or isinstance(relation.lhs, AppliedUndef)
-    whole = relation.rhs if named else relation.lhs - relation.rhs
-    return components(whole)
-
-
 def differences(
     relation: sp.Eq, derived, side: int, values: Mapping[sp.Symbol, sp.Expr] | None = None
 ) -> list[sp.Expr]:
@@ -221,21 +204,8 @@ def differences(
 
     derived : the engine's counterpart of the value that the relation states.
     """
+    rows = derived if isinstance(derived, sp.MatrixBase) else [derived]
     return [
         in_engine_notation(a, side, values) - sp.sympify(b)
-        for a, b in zip(stated(relation), components(derived), strict=True)
+        for a, b in zip(stated(relation), rows, strict=True)
     ]
-
-
-def excess_of_print(printed: Relations, right: Relations) -> list[sp.Expr]:
-    """Printed minus right form of an equation, for each component of each relation."""
-    return [
-        with_fractions(a) - with_fractions(b)
-        for relations in zip(printed, right, strict=True)
-        for a, b in zip(*(stated(relation) for relation in relations), strict=True)
-    ]
-
-
-def with_fractions(expr: sp.Expr) -> sp.Expr:
-    """An expression with its decimal numbers as fractions, so that equal ones cancel."""
-    return expr.xreplace({number: sp.Rational(str(number)) for number in expr.atoms(sp.Float)})

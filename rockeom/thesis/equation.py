@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
 from rockeom.numbers.checks import require_word
@@ -30,16 +33,28 @@ class Kind(Enum):
     PROCEDURE = "procedure"
 
     def __call__(
-        self,
-        number: str,
-        meaning: str,
-        printed: Relations,
-        corrected: Relations | None = None,
-        reason: str = "",
-        **more: Any,
+        self, title: str, left: Any, *rights: Any, illegible: str = "", **more: Any
     ) -> Equation:
-        """An equation of this kind, whose section is stated by `section`."""
-        return Equation(self, number, meaning, printed, corrected, reason, **more)
+        """An equation of this kind, whose section is stated by `section`.
+
+        Parameters
+        ----------
+        title : str
+            Number and meaning, "4-34 its rate".
+        left : sympy.Expr or Relations
+            Left side, or all relations if no right side follows.
+        *rights : sympy.Expr
+            Right side, and those of further equals signs of a chain.
+        illegible : str, optional
+            Reason of a form that is restored because nothing legible is printed.
+        **more
+            Other parameters of `Equation`.
+        """
+        number, _, meaning = title.partition(" ")
+        relations = says(left, *rights) if rights else left
+        if illegible:
+            return Equation(self, number, meaning, restored=relations, reason=illegible, **more)
+        return Equation(self, number, meaning, relations, **more)
 
 
 @dataclass(frozen=True)
@@ -75,15 +90,14 @@ class Equation:
         Statement of the equation, in words.
     printed : Relations
         One relation for each equals sign; empty where the page is not legible.
-    corrected : Relations, optional
-        Right form; None where the printed form is right.
+    restored : Relations, optional
+        Right form where nothing legible is printed.
+    correction : dict, optional
+        Pieces of a wrong printed form, and what stands for each in the right one.
     reason : str, optional
-        Reason of the correction; "" where there is none.
+        Reason of the correction, or of the form that is restored; "" where there is none.
     section : str, optional
         Section of the thesis.
-    excess : tuple of sympy.Expr or int, optional
-        For a wrong printed form, printed minus right for each component of each relation: of the
-        right sides where the left one is one symbol or function, else of left minus right side.
     domain : Domain, optional
         Domain in which a wrong printed form is right all the same; None if nowhere in particular.
     assumption : str, optional
@@ -92,6 +106,11 @@ class Equation:
         Facts that a user should know and the equation does not say.
     undetermined : str, optional
         Parts of it that the text leaves open; "" if nothing.
+    fitted : str, optional
+        What bears out coefficients that the text fitted to data, and how closely; "" if there are
+        none.
+    units : str, optional
+        Units of its numbers, "0.505 s, 5155 mm", and of symbols that it counts in a unit.
     sides : tuple of int, optional
         Signs of theta for which it is meant.
     """
@@ -99,26 +118,42 @@ class Equation:
     kind: Kind
     number: str
     meaning: str
-    printed: Relations
-    corrected: Relations | None = None
-    reason: str = ""
+    printed: Relations = ()
+    restored: Relations = field(default=(), kw_only=True)
+    correction: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict, kw_only=True)
+    reason: str = field(default="", kw_only=True)
     section: str = field(default="", kw_only=True)
-    excess: tuple[sp.Expr | int, ...] = field(default=(), kw_only=True)
     domain: Domain | None = field(default=None, kw_only=True)
     assumption: str = field(default="", kw_only=True)
     remark: str = field(default="", kw_only=True)
     undetermined: str = field(default="", kw_only=True)
+    fitted: str = field(default="", kw_only=True)
+    units: str = field(default="", kw_only=True)
     sides: tuple[int, ...] = field(default=BOTH, kw_only=True)
 
     def __post_init__(self) -> None:
-        if not (self.printed or self.corrected):
-            raise ValueError(f"{self.number}: neither a printed nor a corrected form is given")
+        if bool(self.printed) == bool(self.restored):
+            raise ValueError(f"{self.number}: a form is either printed or restored")
         if bool(self.reason) != (self.corrected is not None):
             raise ValueError(f"{self.number}: a reason belongs to a corrected form, and only to it")
         if self.corrected == self.printed:
             raise ValueError(f"{self.number}: the corrected form is the printed one")
-        if bool(self.excess) != self.is_erratum:
-            raise ValueError(f"{self.number}: an excess belongs to a wrong form, and only to it")
+
+    @cached_property
+    def corrected(self) -> Relations | None:
+        """The right form where it is not the printed one.
+
+        Raises
+        ------
+        ValueError
+            Where a piece that is to be replaced is not in the printed form.
+        """
+        if not self.correction:
+            return self.restored or None
+        for piece, right in self.correction.items():
+            if replaced(self.printed, {piece: right}) == self.printed:
+                raise ValueError(f"{self.number}: {piece} is not in the printed form")
+        return replaced(self.printed, self.correction)
 
     @property
     def right(self) -> Relations:
@@ -166,6 +201,19 @@ class Equation:
         return [written(relation) for relation in forms[form] or ()]
 
     @property
+    def excess(self) -> tuple[sp.Expr, ...]:
+        """Of a wrong printed form, printed minus right for each component of each relation.
+
+        Of the right sides where the left one is one symbol or function, else of left minus right
+        side.
+        """
+        if not self.is_erratum:
+            return ()
+        pairs = zip(self.printed, self.right, strict=True)
+        components = (zip(stated(a), stated(b), strict=True) for a, b in pairs)
+        return tuple(sp.expand(fractions(a - b)) for each in components for a, b in each)
+
+    @property
     def excess_lines(self) -> list[str]:
         """LaTeX, without delimiters, of the components of the excess that are not zero."""
         return [written(component) for component in self.excess if component != 0]
@@ -200,11 +248,41 @@ def place_of(one: Any) -> tuple[str, int, str]:
     return chapter, int(digits), place[len(digits) :]
 
 
-def section(place: str, *equations: Equation) -> tuple[Equation, ...]:
-    """The equations of a section of the thesis."""
-    return tuple(replace(equation, section=place) for equation in equations)
+def section(place: str, *equations: Equation, **more: Any) -> tuple[Equation, ...]:
+    """The equations of a section of the thesis, and parameters that all of them have."""
+    return tuple(replace(equation, section=place, **more) for equation in equations)
 
 
 def says(left: Any, *rights: Any) -> Relations:
     """left = right, and for a chain left = right_1 = right_2 = ... each with the same left."""
     return tuple(sp.Eq(left, right, evaluate=False) for right in rights)
+
+
+def replaced(relations: Relations, pieces: Mapping[sp.Expr, sp.Expr]) -> Relations:
+    """Relations with other expressions in the places of some; what is not evaluated stays so."""
+
+    def put(expr: sp.Basic) -> sp.Basic:
+        if expr in pieces:
+            return sp.sympify(pieces[expr])
+        args = tuple(map(put, expr.args))
+        if args == expr.args:
+            return expr
+        return expr.func(*args, **{} if expr.func(*expr.args) == expr else {"evaluate": False})
+
+    return tuple(map(put, relations))
+
+
+def stated(relation: sp.Eq) -> list[sp.Expr]:
+    """The value that a relation states, for each component.
+
+    A relation whose left side is a single symbol, or function, gives that a value. Any other states
+    that its left minus its right side vanishes.
+    """
+    named = relation.lhs.is_Symbol or isinstance(relation.lhs, AppliedUndef)
+    whole = relation.rhs if named else relation.lhs - relation.rhs
+    return list(whole) if isinstance(whole, sp.MatrixBase) else [whole]
+
+
+def fractions(expr: sp.Expr) -> sp.Expr:
+    """An expression with its decimal numbers as fractions, so that equal ones cancel."""
+    return expr.xreplace({number: sp.Rational(str(number)) for number in expr.atoms(sp.Float)})

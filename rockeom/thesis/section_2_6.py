@@ -6,13 +6,14 @@ Typed by hand from the thesis, in its own symbols.
 from sympy import Derivative, DiracDelta, Integral, Ne, Piecewise, exp, log, pi, sign, sqrt, tanh
 
 from rockeom.thesis import notation as th
-from rockeom.thesis.equation import POSITIVE, Kind, says, section
+from rockeom.thesis.equation import POSITIVE, Kind, section
 from rockeom.thesis.notation import F_delta, K, dt, dx_d, exponent, n, r, x, x_d, x_d0, x_dd
 
 f, g = th.DISPLACEMENT_FUNCTION(x), th.VELOCITY_FUNCTION(x_d)
 DELTA_N = exp(-(x**2) / n**2) / (n * sqrt(pi))
 """2-20."""
 
+NO_MINUS = {log(sqrt(r)): -log(sqrt(r))}
 THE_MINUS = (
     "The minus sign is too much: ln(sqrt(r)) is negative for r < 1, and so is the force that slows "
     "the block where it stands on the right-hand side, as in 2-17. With the minus an impact "
@@ -22,123 +23,99 @@ THE_MINUS = (
 SECTION_2_6 = section(
     "2.6",
     Kind.MOTION(
-        "2-17",
-        "free slender block, the impact as a force",
-        says(x_dd - x + sign(x), F_delta),
+        "2-17 free slender block, the impact as a force",
+        x_dd - x + sign(x),
+        F_delta,
         remark="The force stands on the right: one that slows the block is against its velocity.",
     ),
     Kind.DEFINITION(
-        "2-18",
-        "force of the impact: a function of the rotation times one of the velocity",
-        says(F_delta, f * g),
+        "2-18 force of the impact: a function of the rotation times one of the velocity",
+        F_delta,
+        f * g,
     ),
+    Kind.DEFINITION("2-19a the function of the rotation is a Dirac delta", f, DiracDelta(x)),
+    Kind.DEFINITION("2-19b which vanishes away from zero", Piecewise((DiracDelta(x), Ne(x, 0))), 0),
     Kind.DEFINITION(
-        "2-19a", "the function of the rotation is a Dirac delta", says(f, DiracDelta(x))
-    ),
-    Kind.DEFINITION(
-        "2-19b", "which vanishes away from zero", says(Piecewise((DiracDelta(x), Ne(x, 0))), 0)
-    ),
-    Kind.DEFINITION(
-        "2-19c",
-        "and has the integral one",
-        says(Integral(DiracDelta(x), (x, th.below_zero, th.above_zero)), 1),
+        "2-19c and has the integral one",
+        Integral(DiracDelta(x), (x, th.below_zero, th.above_zero)),
+        1,
         remark="The interval contains zero: a < 0 < b.",
     ),
     Kind.DEFINITION(
-        "2-20",
-        "normal distribution that stands for the delta",
-        says(th.delta_n, DELTA_N),
+        "2-20 normal distribution that stands for the delta",
+        th.delta_n,
+        DELTA_N,
         remark="It is the delta in the limit n -> 0.",
     ),
     Kind.MOTION(
-        "2-21a",
-        "the block during an impact, gravity neglected",
-        says(Derivative(th.x_t, (th.t_scaled, 2)), F_delta),
+        "2-21a the block during an impact, gravity neglected",
+        Derivative(th.x_t, (th.t_scaled, 2)),
+        F_delta,
     ),
     Kind.MOTION(
-        "2-21b",
-        "the same by the velocity",
-        says(dx_d / dt**2, DiracDelta(x) * g),
-        says(dx_d / dt, DiracDelta(x) * g),
-        "The derivative of the velocity by time is its first: dt is squared in 2-21a only, where "
-        "the rotation is differentiated twice.",
-        excess=(dx_d / dt**2 - dx_d / dt,),
+        "2-21b the same by the velocity",
+        dx_d / dt**2,
+        DiracDelta(x) * g,
+        correction={dx_d / dt**2: dx_d / dt},
+        reason="The derivative of the velocity by time is its first: dt is squared in 2-21a only, "
+        "where the rotation is differentiated twice.",
     ),
     Kind.MOTION(
-        "2-21c",
-        "the same, velocity and time on different sides",
-        says(1 / g * dx_d, DiracDelta(x) * dt),
+        "2-21c the same, velocity and time on different sides", 1 / g * dx_d, DiracDelta(x) * dt
     ),
     Kind.MOTION(
-        "2-21d",
-        "the same, velocity and rotation on different sides",
-        says(x_d / g * dx_d, DiracDelta(x) * th.dx),
+        "2-21d the same, velocity and rotation on different sides",
+        x_d / g * dx_d,
+        DiracDelta(x) * th.dx,
     ),
     Kind.CLOSED_FORM(
-        "2-22",
-        "what the function of the velocity must satisfy",
-        says(
-            Integral(x_d / g, (x_d, x_d0, th.x_df)),
-            Integral(DiracDelta(x), (x, -th.x_0, th.x_f)),
-            1,
-        ),
+        "2-22 what the function of the velocity must satisfy",
+        Integral(x_d / g, (x_d, x_d0, th.x_df)),
+        Integral(DiracDelta(x), (x, -th.x_0, th.x_f)),
+        1,
         remark="For a passage in the direction of +x; in that of -x both limits of x change sign "
         "and the integrals are -1, hence the signum in 2-27.",
         sides=POSITIVE,
     ),
-    Kind.DEFINITION("2-23", "power of the velocity, on trial", says(g, K * x_d**exponent)),
+    Kind.DEFINITION("2-23 power of the velocity, on trial", g, K * x_d**exponent),
     Kind.CLOSED_FORM(
-        "2-24",
-        "2-22 for that power and an impact that leaves the fraction r of the kinetic energy",
-        says(Integral(1 / (K * x_d ** (exponent - 1)), (x_d, x_d0, sqrt(r) * x_d0)), 1),
+        "2-24 2-22 for that power and an impact that leaves the fraction r of the kinetic energy",
+        Integral(1 / (K * x_d ** (exponent - 1)), (x_d, x_d0, sqrt(r) * x_d0)),
+        1,
         remark="m = 2 is the only power for which K does not depend on the velocity.",
         sides=POSITIVE,
     ),
+    Kind.CLOSED_FORM("2-25 the factor for the second power", K, log(sqrt(r)), sides=POSITIVE),
     Kind.CLOSED_FORM(
-        "2-25", "the factor for the second power", says(K, log(sqrt(r))), sides=POSITIVE
-    ),
-    Kind.CLOSED_FORM(
-        "2-26",
-        "function of the velocity, for a passage in the direction of +x",
-        says(g, -log(sqrt(r)) * x_d**2),
-        says(g, log(sqrt(r)) * x_d**2),
-        THE_MINUS,
-        excess=(-2 * log(sqrt(r)) * x_d**2,),
+        "2-26 function of the velocity, for a passage in the direction of +x",
+        g,
+        -log(sqrt(r)) * x_d**2,
+        correction=NO_MINUS,
+        reason=THE_MINUS,
         sides=POSITIVE,
     ),
     Kind.CLOSED_FORM(
-        "2-27",
-        "function of the velocity, for both directions",
-        says(g, -log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
-        says(g, log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
-        THE_MINUS,
-        excess=(-2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n),),
+        "2-27 function of the velocity, for both directions",
+        g,
+        -log(sqrt(r)) * x_d**2 * tanh(x_d / n),
+        correction=NO_MINUS,
+        reason=THE_MINUS,
         remark="The tanh stands for the signum of the velocity; its n is that of 2-20, by choice: "
         "as n goes to zero any width of the tanh takes the same energy.",
     ),
     Kind.CLOSED_FORM(
-        "2-28",
-        "force of the impact",
-        says(
-            F_delta, -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2)
-        ),
-        says(F_delta, log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2)),
-        THE_MINUS,
-        excess=(-2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n) * DELTA_N,),
+        "2-28 force of the impact",
+        F_delta,
+        -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
+        correction=NO_MINUS,
+        reason=THE_MINUS,
     ),
     Kind.MOTION(
-        "2-29",
-        "free slender block in one smooth equation",
-        says(
-            x_dd - x + tanh(x / n),
-            -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
-        ),
-        says(
-            x_dd - x + tanh(x / n),
-            log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
-        ),
-        THE_MINUS,
-        excess=(2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n) * DELTA_N,),
+        "2-29 free slender block in one smooth equation",
+        x_dd - x + tanh(x / n),
+        -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
+        correction=NO_MINUS,
+        reason=THE_MINUS,
         remark="Its peaks approach those of the block with impacts in proportion to n.",
     ),
 )

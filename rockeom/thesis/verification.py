@@ -9,8 +9,7 @@ from enum import Enum
 import sympy as sp
 
 from rockeom.thesis.catalogue import EQUATIONS, equation
-from rockeom.thesis.checks import CHECKS, Check, Finding, Means, vanishes
-from rockeom.thesis.comparison import excess_of_print, normal_form, with_fractions
+from rockeom.thesis.checks import CHECKS, Check, Finding, Means
 from rockeom.thesis.equation import Equation, Relations
 
 
@@ -20,6 +19,7 @@ class Verdict(Enum):
     RIGHT = "right as printed"
     APPROXIMATE = "right to the stated order"
     LIMITED = "right in a limited domain"
+    FITTED = "fitted, within a band"
     ASSUMED = "chosen or assumed by the text"
     ERRATUM = "wrong as printed"
     RESTORED = "not legible, restored"
@@ -50,7 +50,7 @@ class Decision:
     against : tuple of Finding
         Findings on the printed form of an erratum; at least one must not hold.
     excess : tuple of Finding
-        Findings on the excess of an erratum, which is all by which the printed form is wrong.
+        Findings on the excess of an erratum, which vanishes in its domain only.
     seconds : float
         Time of the checks [s].
     """
@@ -124,6 +124,8 @@ def claim(one: Equation) -> Verdict:
         return Verdict.ASSUMED
     if all(check.means is Means.TRANSCRIBED for check in checks):
         return Verdict.UNCHECKED  # numbers that are typed twice are no evidence
+    if one.fitted:
+        return Verdict.FITTED
     if one.is_erratum:
         return Verdict.LIMITED if one.domain else Verdict.ERRATUM
     if one.corrected is not None:
@@ -205,11 +207,7 @@ def _findings(
 
 
 def _excess(one: Equation) -> Iterator[Finding]:
-    """Check that printed minus right form is the excess, which vanishes in the domain only."""
-    differences = excess_of_print(one.printed, one.right)
-    for difference, excess in zip(differences, one.excess, strict=True):
-        rest = difference - with_fractions(sp.sympify(excess))
-        yield vanishes("printed minus right form minus the excess", rest, normal_form)
+    """Check that printed minus right form vanishes in the domain, and only there."""
     if one.domain is None:
         return
     for where, cases in (("inside", one.domain.inside), ("outside", one.domain.outside)):

@@ -242,7 +242,7 @@ PRINTED = {
         ("4-16", "P_initial + th.E_t", "P_initial - th.E_t"),
         ("4-19", "H**2", "H"),
         ("4-23", "2 * H**2", "H**2"),
-        ("4-28", "damping_force(1)", "damping_force(2)"),
+        ("4-28", "th.n * sqrt(pi)", "th.n * pi"),
         ("4-33", "sin(theta)", "cos(theta)"),
         ("4-40", "- th.tau_t", "+ th.tau_t"),
         ("4-42", "a_g + th.Delta_dd", "a_g - th.Delta_dd"),
@@ -253,13 +253,13 @@ PRINTED = {
         ("5-11", "alpha_e + s * theta, s)", "alpha_e + s * theta, 1)"),
         ("5-12", "- m_b * R_b", "+ m_b * R_b"),
         ("5-20", "W / 2 - th.k_f", "W / 2 + th.k_f"),
-        ("5-29", "(2 * th.k_f * B)", "(th.k_f * B)"),
-        ("5-29", ") * th.u)", ") * th.u**2)"),
+        ("5-29", "FORCE * th.u,", "FORCE * 2 * th.u,"),
+        ("5-29", "FORCE * th.u,", "FORCE * th.u**2,"),
         ("5-30", "m_b * th.H_b", "m_b * H_e"),
     ),
     "appendix_b": (
         ("B-2", "th.B * Abs", "2 * th.B * Abs"),
-        ("B-9", "inertia(th.d_lifted)", "inertia(2 * th.d_lifted)"),
+        ("B-9", "added_mass(th.d_lifted))", "added_mass(2 * th.d_lifted))"),
         ("B-10", "th.k * th.x", "th.k"),
     ),
     "appendix_d": (
@@ -267,12 +267,12 @@ PRINTED = {
         ("D-3", "- u_d * sin", "+ u_d * sin"),
         ("D-4", "R_b * sin(alpha_e", "R_b * sin(alpha_b"),
         ("D-8", "th.I_eg", "2 * th.I_eg"),
-        ("D-12", "T_B_FIRST, T_B)", "T_B_FIRST, 2 * T_B)"),
+        ("D-12", "T_B,", "2 * T_B,"),
         ("D-14", "- V_OF", "+ V_OF"),
         ("D-17", "- u * sin(theta)", "+ u * sin(theta)"),
         ("D-22", "cos(alpha_e + theta)", "cos(alpha_e - theta)"),
-        ("D-23", "of_model_c(-1, -1)", "of_model_c(-1, -2)"),
-        ("D-28", "rotation_row(u, u_d)", "rotation_row(u, 2 * u_d)"),
+        ("D-23", "MODEL_C, -1)", "MODEL_C, 1)"),
+        ("D-28", "th.y_3d, th.y_4", "th.y_3d, th.y_2"),
     ),
 }  # fmt: skip
 """Errors of printed forms, right or wrong ones."""
@@ -298,7 +298,7 @@ COEFFICIENTS = {
         ("4-7", "412", "421"),
         ("4-7", "96", "69"),
         ("4-7", "3.551", "3.515"),
-        ("4-16", "3106.6", "3016.6"),
+        ("4-16", "* EXTENSION", "/ EXTENSION"),
         ("4-20", "244.05", "245.04"),
         ("4-20", "297.22", "279.22"),
         ("4-31", "1, 45", "1, 54"),
@@ -349,8 +349,6 @@ def noticed(mutation: Mutation) -> bool:
         if refused:
             return True
         one = verification.equation(mutation.noticed_by)
-        if one.is_erratum and not all(found.holds for found in verification._excess(one)):
-            return True
         return notices(one, one.right)
 
 
@@ -360,7 +358,7 @@ def mutated(mutation: Mutation) -> Iterator[bool]:
     text = (ROOT / mutation.file).read_text("utf-8")
     start = 0
     if mutation.file.startswith("thesis/"):
-        start = text.index(f'"{mutation.noticed_by}",')
+        start = text.index(f'"{mutation.noticed_by} ')
     place = text.find(mutation.old, start)
     if place < 0:
         raise ValueError(f"{mutation}: the piece is not there")

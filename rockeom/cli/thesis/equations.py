@@ -101,7 +101,8 @@ def _shown(decision: thesis.Decision, columns: int) -> str:
         blocks += ["Printed minus right:", Display(tuple(one.excess_lines))]
     if one.domain:
         blocks.append(f"The printed form is right where {one.domain.words}.")
-    blocks += [text for text in (one.assumption, one.remark, one.undetermined) if text]
+    texts = one.assumption, one.fitted, one.remark, one.undetermined
+    blocks += [text for text in texts if text]
     blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
     blocks.append("Decided by:")
     text = to_text(blocks, columns)

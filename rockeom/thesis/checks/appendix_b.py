@@ -11,8 +11,7 @@ from rockeom.thesis.checks import chapter_4_free_vibration, check, wall
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.chapter_4_free_vibration import DESCENT, kinetic_energy, rise_of_centroid
 from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
-from rockeom.thesis.comparison import with_fractions
-from rockeom.thesis.equation import Equation
+from rockeom.thesis.equation import Equation, fractions
 
 
 def _sine(equation: Equation, relation: sp.Eq) -> Findings:
@@ -76,7 +75,7 @@ def _parallel_axes(equation: Equation, relation: sp.Eq) -> Findings:
     )
     added = Rational("2.537") ** 2 + (th.d_lifted - th.B) ** 2
     exact = 686 + Rational("577.56") * panel + 442 + Rational("1438.5") * added
-    rest = with_fractions(relation.rhs).doit() - exact
+    rest = fractions(relation.rhs).doit() - exact
     yield vanishes("thesis minus both by the theorem of Steiner", rest, sp.expand)
 
 
