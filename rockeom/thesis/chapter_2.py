@@ -173,6 +173,7 @@ CONTROLLED = section(
         "Figure 2-23.",
         remark="One of the two elastic dampings is zero. Factors of EPP and flag stand apart, not "
         "of bilinear and flag as the text says.",
+        units="T_e 1, c 1",
     ),
     Kind.FIT(
         "2-34 the same without the period",
@@ -191,6 +192,7 @@ CONTROLLED = section(
         "ductilities of 2 to 6 and periods of 1 and 2 s.",
         remark="It recalibrates 2-33, where the text says 2-31. Only a b of the flag's factors "
         "counts, and b is given to one digit: its damping beyond 5 % is good to 8 %.",
+        units="T_e 1, c 1",
     ),
 )
 

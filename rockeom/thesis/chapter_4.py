@@ -45,9 +45,13 @@ MEASURED_BASE = section(
             (Q.positive(u_L) & Q.negative(u_R), Q.negative(u_L) & Q.positive(u_R)),
             (Q.positive(u_L) & Q.positive(u_R), Q.negative(u_L) & Q.negative(u_R)),
         ),
+        units="1076 mm",
     ),
     Kind.DEFINITION(
-        "4-2 distance from the right gauge to the centre of rotation", th.y_centre, 1076 - th.x
+        "4-2 distance from the right gauge to the centre of rotation",
+        th.y_centre,
+        1076 - th.x,
+        units="1076 mm",
     ),
     Kind.DEFINITION(
         "4-3 uplift of the left edge, 30 mm inside the gauge",
@@ -55,9 +59,13 @@ MEASURED_BASE = section(
         u_L * (th.x - 30) / th.x,
         remark="The text says that this takes off up to 26 % of the toe's compression; of the "
         "first row of Table A-1 it takes 38 %.",
+        units="30 mm",
     ),
     Kind.DEFINITION(
-        "4-4 uplift of the right edge", th.u_R_edge, u_R * (th.y_centre - 30) / th.y_centre
+        "4-4 uplift of the right edge",
+        th.u_R_edge,
+        u_R * (th.y_centre - 30) / th.y_centre,
+        units="30 mm",
     ),
     Kind.FIT(
         "4-5 quarter period from a peak, fitted to the free vibration",
@@ -67,6 +75,7 @@ MEASURED_BASE = section(
         remark="Delta in mm, its size where the peak is negative. The length of 5155 mm is none "
         "of the wall: what counts is the factor of sqrt(Delta), 0.00995 s/sqrt(mm).",
         sides=POSITIVE,
+        units="0.505 s, 1/5155 1/mm, 0.01 s",
     ),
     Kind.CLOSED_FORM(
         "4-6 uplift of the edge of a rigid wall that turns about a point of its base",
@@ -87,6 +96,7 @@ MEASURED_BASE = section(
         "which leaves 442 mm. The printed numbers, which 4-9 to 4-18 and appendix B use, meet the "
         "uplifts and forces of Table A-1 better: R2 is 0.990 and 0.924, with 442 and 66 mm 0.975 "
         "and 0.826.",
+        units="1016 mm, 412 mm, 96 mm, 3.551 mm",
     ),
     Kind.DEFINITION(
         "4-8 general form of 4-7",
@@ -96,7 +106,10 @@ MEASURED_BASE = section(
         "called n from 4.8 on.",
     ),
     Kind.CLOSED_FORM(
-        "4-9 uplift of the edge, 4-6 with the printed 4-7", th.u_edge, Abs(Delta) / LEVEL * REACH
+        "4-9 uplift of the edge, 4-6 with the printed 4-7",
+        th.u_edge,
+        Abs(Delta) / LEVEL * REACH,
+        units="920 mm, 412 mm",
     ),
 )
 
@@ -125,13 +138,19 @@ TENDON = section(
         extension,
         th.u_edge * H / LEVEL - th.B * Abs(Delta) / LEVEL,
     ),
-    Kind.CLOSED_FORM("4-15 4-14 with 4-9", extension, EXTENSION),
+    Kind.CLOSED_FORM(
+        "4-15 4-14 with 4-9",
+        extension,
+        EXTENSION,
+        units="920 mm, 412 mm",
+    ),
     Kind.CLOSED_FORM(
         "4-16 force of the elastic tendon",
         P_tendon,
         th.P_initial + th.E_tendon * th.A_tendon / th.L_T0 * EXTENSION,
         remark="Up to yield, at 159.03 kN. The tendon without a force is 3093.54 mm long, shorter "
         "than the 3100 mm between its anchors by the 6.4564 mm of B.3; the text has 3106.6 mm.",
+        units="920 mm, 412 mm",
     ),
 )
 
@@ -152,6 +171,7 @@ DYNAMICS = section(
         th.U_of,
         th.m_T * th.g * (Abs(Delta) / LEVEL * REACH - th.B * Abs(Delta) / H),
         remark="In mJ where lengths are in mm.",
+        units="920 mm, 412 mm",
     ),
     Kind.APPROXIMATION(
         "4-19 kinetic energy", th.E_k_of, sp.Rational(1, 2) / H**2 * th.I_o * Delta_d**2
@@ -160,6 +180,7 @@ DYNAMICS = section(
         "4-20 elastic energy of the tendon, before and after it yields, from 75.6 kN on",
         elastic_energy("244.05", "297.22"),
         remark="For a displacement that grows: there is no way back from yield in it.",
+        units="244.05 J, 159.03 kN, 297.22 J",
     ),
     Kind.DEFINITION(
         "4-21 total energy of a wall at rest, at its release",
@@ -244,6 +265,7 @@ EQUIVALENT_OSCILLATOR = section(
         ),
         remark="It jumps at 0.3, 0.47 and 0.78 m/s, where it is not defined. The release at 30.41 "
         "mm passes upright twice within 0.04 m/s of the last of them.",
+        units="1/45 s/m, 0.3 m/s, 0.47 m/s, 0.78 m/s",
     ),
 )
 
@@ -276,6 +298,7 @@ SUBSTITUTE_GRAVITY = section(
         "The slope is 0.03 over the 0.68 m/s from 0.10 to 0.78 m/s, for which the constant would "
         "be 0.876; but with the printed 0.865 the measured peaks are met better, with an rms "
         "error of 1.5 mm against 2.6 mm.",
+        units="0.0441 s/m",
     ),
     Kind.FIT(
         "4-37 distance from the centreline to the centre of rotation, for 4-32",
@@ -284,6 +307,7 @@ SUBSTITUTE_GRAVITY = section(
         assumption="The rotation centre moves from the centreline to the edge, at the rate of 4-7.",
         remark="4-7 has it move 412 mm, and Table A-1 442 mm: the developed lever is 23 % and 15 "
         "% longer here.",
+        units="508 mm",
     ),
     Kind.FIT(
         "4-38 ratio of energies of a passage by the speed, with 4-37",
@@ -295,6 +319,7 @@ SUBSTITUTE_GRAVITY = section(
             (Float("0.94"), speed > Float("0.78")),
         ),
         remark="Continuous at 0.365 m/s; it jumps at 0.47 and 0.78 m/s.",
+        units="\\dot{\\Delta} 1",
     ),
 )
 
@@ -339,6 +364,7 @@ BASE_EXCITATION = (
             -M_e * th.Z * sin(16 * pi * th.t),
             illegible="The scanned text has lost the dots of the first term.",
             remark="8 Hz, in seconds.",
+            units="16 1/s",
         ),
     ),
     *section(
@@ -347,6 +373,7 @@ BASE_EXCITATION = (
             "4-44 elastic energy of the tendon from 111 kN on",
             elastic_energy("526.12", "98.506"),
             remark="The length of the tendon is that of 4-20.",
+            units="526.12 J, 159.03 kN, 98.506 J",
         ),
     ),
 )

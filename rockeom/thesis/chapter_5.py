@@ -39,6 +39,7 @@ COLUMN = section(
         Float("571.8e3"),
         remark="T_fixed is the 0.092 s of the rubber pad, also where the feet are of steel (runs "
         "1 and 3); with their 0.112 s k is 385.8 kN/m.",
+        units="571800 N/m",
     ),
 )
 
@@ -76,6 +77,7 @@ RUBBER_FEET = section(
         fitted="Fitted to rotation centres that are not in the text, which bears out the 300 mm "
         "of the centreline and a reach within the base plate, and nothing closer.",
         remark="For the column of McManus on rubber and displacements up to 29 mm.",
+        units="220.1 mm, 0.1276 1/mm, 300 mm",
     ),
     Kind.APPROXIMATION(
         "5-6 5-2 about the centre of rotation of that moment",
@@ -91,6 +93,7 @@ RUBBER_FEET = section(
         ),
         remark="Written out; the thesis has alpha', B' and R' as functions of x and y, and H for "
         "H' once. The present centre counts as the pivot of the whole rotation.",
+        units="300 mm",
     ),
     Kind.APPROXIMATION(
         "5-7 equivalent viscous damping ratio of a cycle",
@@ -309,6 +312,7 @@ MODEL_C = (
             th.c,
             Float("0.03") * 2 * sqrt(m_e * th.k),
             Float("502.4"),
+            units="502.4 N s/m",
         ),
         Kind.CLOSED_FORM(
             "5-37 displacement of the superstructure from its upright position",

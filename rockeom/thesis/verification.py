@@ -10,6 +10,7 @@ import sympy as sp
 
 from rockeom.thesis.catalogue import EQUATIONS, equation
 from rockeom.thesis.checks import CHECKS, Check, Finding, Means
+from rockeom.thesis.dimensions import DimensionError, check_dimensions
 from rockeom.thesis.equation import Equation, Relations
 
 
@@ -154,11 +155,14 @@ def decide(number: str) -> Decision:
     one = equation(number)
     start = time.perf_counter()
     checks = CHECKS.get(one.number, ())
-    findings = _findings(one, one.right, checks)
-    against = _findings(one, one.printed, checks) if one.is_erratum else ()
+    compared = _findings(one, one.right, checks)
+    findings = (*compared, _dimensions(one, one.right))
+    against: tuple[Finding, ...] = ()
+    if one.is_erratum:
+        against = (*_findings(one, one.printed, checks), _dimensions(one, one.printed))
     excess = tuple(_excess(one)) if one.is_erratum else ()
     verdict = claim(one)
-    sound = bool(findings) and all(f.holds for f in (*findings, *excess))
+    sound = bool(compared) and all(f.holds for f in (*findings, *excess))
     seen = not one.is_erratum or any(not f.holds for f in against)
     seen = seen and all(f.comparable for f in against)
     if checks and not (sound and seen):
@@ -204,6 +208,17 @@ def _findings(
                 Finding(f"{check.route}: not comparable", message, False, comparable=False)
             )
     return tuple(findings)
+
+
+def _dimensions(one: Equation, relations: Relations) -> Finding:
+    what = "dimensions of its terms"
+    try:
+        check_dimensions(one, relations)
+    except DimensionError as error:
+        return Finding(what, str(error), False)
+    except KeyError as error:
+        return Finding(what, error.args[0], False, comparable=False)
+    return Finding(what, "alike", True)
 
 
 def _excess(one: Equation) -> Iterator[Finding]:

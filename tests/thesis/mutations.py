@@ -256,6 +256,7 @@ PRINTED = {
         ("5-29", "FORCE * th.u,", "FORCE * 2 * th.u,"),
         ("5-29", "FORCE * th.u,", "FORCE * th.u**2,"),
         ("5-30", "m_b * th.H_b", "m_b * H_e"),
+        ("5-31", "W * th.R_c", "2 * W * th.R_c"),
     ),
     "appendix_b": (
         ("B-2", "th.B * Abs", "2 * th.B * Abs"),
