@@ -16,26 +16,16 @@ from functools import lru_cache
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from rockeom.symbolic import RockingModel, derive
+from rockeom.symbolic import derive
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import LOAD
 from rockeom.thesis import notation as th
 from rockeom.thesis.equation import stated
 
-
-def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
-    """Parameters, constants, and coordinates with derivatives, by name."""
-    symbols = {p.name: p.symbol for p in model.parameters}
-    symbols |= {d.name: d.symbol for d in model.definitions}
-    for c in model.coordinates:
-        symbols |= {c.name: c.position, f"{c.name}_d": c.velocity, f"{c.name}_dd": c.acceleration}
-    return symbols
-
-
-BLOCK, SLENDER = symbols_of(derive("rigid_block")), symbols_of(derive("slender_block"))
-SCALED = symbols_of(derive("nondimensional_block"))
-PIER = symbols_of(derive("flexible_structure"))
-CART = symbols_of(derive("two_spring_cart"))
+BLOCK, SLENDER = derive("rigid_block").symbols, derive("slender_block").symbols
+SCALED = derive("nondimensional_block").symbols
+PIER = derive("flexible_structure").symbols
+CART = derive("two_spring_cart").symbols
 R, ALPHA = SLENDER["radius"], SLENDER["alpha"]
 
 _weight = (PIER["mass"] + PIER["base_mass"]) * PIER["gravity"]
@@ -52,14 +42,14 @@ POLAR = (
 
 TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
     th.theta: PIER["theta"],
-    th.theta_d: PIER["theta_d"],
-    th.theta_d1: PIER["theta_d"],
-    th.theta_d2: PIER["theta_d"],
-    th.theta_d_impact: PIER["theta_d"],
-    th.theta_dd: PIER["theta_dd"],
+    th.theta_d: PIER["theta_dot"],
+    th.theta_d1: PIER["theta_dot"],
+    th.theta_d2: PIER["theta_dot"],
+    th.theta_d_impact: PIER["theta_dot"],
+    th.theta_dd: PIER["theta_ddot"],
     th.u: PIER["u"],
-    th.u_d: PIER["u_d"],
-    th.u_dd: PIER["u_dd"],
+    th.u_d: PIER["u_dot"],
+    th.u_dd: PIER["u_ddot"],
     th.a_g: GROUND_X,
     th.a_gx: GROUND_X,
     th.g: PIER["gravity"],
@@ -67,7 +57,7 @@ TO_ENGINE: dict[sp.Symbol, sp.Expr] = {
     th.R: R,
     th.alpha: ALPHA,
     th.x: SCALED["x"],
-    th.x_dd: SCALED["x_dd"],
+    th.x_dd: SCALED["x_ddot"],
     th.I_o: BLOCK["inertia"] + BLOCK["mass"] * R**2,
     th.m_e: PIER["mass"],
     th.H_e: PIER["height"],

@@ -20,7 +20,7 @@ from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 M_E, M_B = PIER["mass"], PIER["base_mass"]
 H_E, H_B, B = PIER["height"], PIER["base_height"], PIER["half_width"]
 I_EG, I_BG = PIER["inertia"], PIER["base_inertia"]
-U, U_D, THETA_D = PIER["u"], PIER["u_d"], PIER["theta_d"]
+U, U_D, THETA_D = PIER["u"], PIER["u_dot"], PIER["theta_dot"]
 
 SIDES = pytest.mark.parametrize("side", [1, -1], ids=["right to left", "left to right"])
 

@@ -59,10 +59,10 @@ def first_impact() -> State:
         R: radius,
         ALPHA: math.atan2(half_width, height),
         THETA: 0.0,
-        PIER["theta_d"]: 0.771,
-        PIER["theta_dd"]: 0.0,
+        PIER["theta_dot"]: 0.771,
+        PIER["theta_ddot"]: 0.0,
         SCALED["x"]: 0.0,
-        SCALED["x_dd"]: 0.0,
+        SCALED["x_ddot"]: 0.0,
         th.beta: 1.0,
         th.omega: 1.0,
         th.t: 0.0,
@@ -136,11 +136,11 @@ def start(side: int) -> sp.Expr:
 
 def impact_force(side: int, axis: int) -> sp.Expr:
     exact = force(shipped("rigid_block"), side, axis).subs({THETA: 0, GROUND_X: 0})
-    return exact.subs(PIER["theta_dd"], start(side))
+    return exact.subs(PIER["theta_ddot"], start(side))
 
 
 def resting_force(side: int, axis: int) -> sp.Expr:
-    return impact_force(side, axis).subs(PIER["theta_d"], 0)
+    return impact_force(side, axis).subs(PIER["theta_dot"], 0)
 
 
 def of_block(

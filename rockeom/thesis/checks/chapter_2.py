@@ -10,7 +10,7 @@ from sympy import Rational, cosh, pi, sqrt
 
 from rockeom.analysis import formulas
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.thesis import comparison, notation as th
+from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks import check, engine
 from rockeom.thesis.checks.approximations import taylor
@@ -120,7 +120,7 @@ def _scaling(equation: Equation, *relations: sp.Eq) -> Findings:
     ground = th.alpha * th.beta * th.g * sp.cos(sp.simplify(excitation * clock))
     (scaled,) = EQUATIONS["2-13"].right
     for side in equation.sides:
-        put = {THETA: angle, BLOCK["theta_dd"]: angular, GROUND_X: ground}
+        put = {THETA: angle, BLOCK["theta_ddot"]: angular, GROUND_X: ground}
         put = {symbol: in_engine_notation(value, side) for symbol, value in put.items()}
         moments = in_polar(engine.residual(shipped("rigid_block"), side)).subs(
             put, simultaneous=True
@@ -132,7 +132,7 @@ def _scaling(equation: Equation, *relations: sp.Eq) -> Findings:
 
 # --- the flexible structure that uplifts
 
-OSCILLATOR = comparison.symbols_of(shipped("uplifting_oscillator"))
+OSCILLATOR = shipped("uplifting_oscillator").symbols
 FIGURE_2_6 = {
     OSCILLATOR["mass"]: 1,
     OSCILLATOR["height"]: 1,
@@ -154,7 +154,7 @@ def deformation(side: int) -> sp.Expr:
 def uplifted() -> tuple[sp.Expr, sp.Expr]:
     """lambda_r**2 and 2 zeta_r lambda_r, by the engine."""
     free = deformation(1)
-    return sp.factor(-sp.diff(free, PIER["u"])), sp.factor(-sp.diff(free, PIER["u_d"]))
+    return sp.factor(-sp.diff(free, PIER["u"])), sp.factor(-sp.diff(free, PIER["u_dot"]))
 
 
 def _fixed_base() -> dict[sp.Symbol, sp.Expr]:
@@ -175,7 +175,7 @@ def _fixed_base() -> dict[sp.Symbol, sp.Expr]:
 def _uplifted_motion(equation: Equation, relation: sp.Eq) -> Findings:
     for side in equation.sides:
         stated = in_engine_notation(relation.lhs - relation.rhs, side, _fixed_base())
-        derived = PIER["u_dd"] - deformation(side)
+        derived = PIER["u_ddot"] - deformation(side)
         yield vanishes("thesis minus engine", stated - derived, sp.simplify)
 
 
@@ -203,7 +203,7 @@ def stiff_column(side: int) -> sp.Expr:
     light = dict.fromkeys((PIER["base_mass"], PIER["base_inertia"], PIER["inertia"], GROUND_Y), 0)
     mass_matrix, forcing = equations.mass_matrix.subs(light), equations.forcing.subs(light)
     exact = sp.cancel(mass_matrix.LUsolve(forcing)[1])
-    small = {x: SMALL * x for x in (PIER[n] for n in ("theta", "theta_d", "u", "u_d"))}
+    small = {x: SMALL * x for x in (PIER[n] for n in ("theta", "theta_dot", "u", "u_dot"))}
     stiff = {x: x / SMALL for x in (PIER["stiffness"], PIER["damping"])}
     same = {PIER["mass"]: OSCILLATOR["mass"], PIER["height"]: OSCILLATOR["height"]}
     return sp.cancel(exact.subs(small | stiff | same, simultaneous=True))
@@ -214,11 +214,11 @@ def _uplifted_error(equation: Equation, relation: sp.Eq) -> Findings:
     width, height, g = (OSCILLATOR[n] for n in ("half_width", "height", "gravity"))
     mass = OSCILLATOR["mass"]
     u, theta = PIER["u"], PIER["theta"]
-    column = (OSCILLATOR["stiffness"] * u + OSCILLATOR["damping"] * PIER["u_d"]) / mass
+    column = (OSCILLATOR["stiffness"] * u + OSCILLATOR["damping"] * PIER["u_dot"]) / mass
     for side in equation.sides:
         limit, error = taylor(stiff_column(side), (SMALL,), 1)
         stated = in_engine_notation(relation.lhs - relation.rhs, side, _fixed_base())
-        stated = sp.solve(stated, PIER["u_dd"])[0]
+        stated = sp.solve(stated, PIER["u_ddot"])[0]
         yield vanishes("limit of the exact structure minus 2-7", limit - stated, sp.simplify)
         p_delta = g * theta + g * height * u / width**2
         turned = side * height / width * (GROUND_X * theta - 2 * height / width**2 * column * u)
@@ -227,7 +227,7 @@ def _uplifted_error(equation: Equation, relation: sp.Eq) -> Findings:
         start = {theta: side * 0.05 * sp.atan(width / height), GROUND_X: 0}
         for sway in (-1, 0, 1):  # at -u_c, 0 and u_c
             deformed = sway * g * width * mass / (height * OSCILLATOR["stiffness"])
-            at = {**start, u: deformed, PIER["u_d"]: 0}
+            at = {**start, u: deformed, PIER["u_dot"]: 0}
             size = (p_delta + turned).subs(at).subs(FIGURE_2_6) / (g * height / width)
             size = abs(float(size.subs(FIGURE_2_6)))
             what = f"left out at {sway} u_c in Figure 2-6, over g H/B, below 1 %"

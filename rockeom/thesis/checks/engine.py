@@ -5,7 +5,7 @@ symbols: the value of the thesis's left side where that is a single symbol, the 
 minus right side of an equation of motion otherwise.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -21,12 +21,12 @@ from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.structures.two_spring import bilinear_pushover
 from rockeom.thesis import comparison, notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Findings, derived, vanishes
+from rockeom.thesis.checks.check import Checks, Findings, derived, vanishes
 from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, differences, normal_form
 from rockeom.thesis.equation import Equation
 
 MODE = {1: "right", -1: "left"}
-THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
+THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_dot"], PIER["theta_ddot"]
 G, B = PIER["gravity"], PIER["half_width"]
 
 Value = Any
@@ -47,28 +47,24 @@ def shipped(name: str) -> RockingModel:
     return derive(name)
 
 
-def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple[list[Value], dict]:
-    """The engine's values for the relations of an equation, and the known symbols."""
-    value, symbols = (
-        values_of_shipped(number, side) if model is None else _values(number, side, model)
-    )
-    relations = len(EQUATIONS[number].right)
-    return (value if isinstance(value, list) else [value] * relations), symbols
+def _values(number: str, side: int, model: RockingModel) -> tuple[list[Value], dict]:
+    """The engine's values for the relations of an equation, and further symbols."""
+    entry = DERIVED[number]
+    value = entry.value(model, side)
+    rows = value if isinstance(value, list) else [value] * len(EQUATIONS[number].right)
+    return rows, entry.symbols(model, side)
 
 
 @cache
-def values_of_shipped(number: str, side: int) -> tuple[Value, dict]:
+def _values_of_shipped(number: str, side: int) -> tuple[list[Value], dict]:
     return _values(number, side, shipped(DERIVED[number].structure))
-
-
-def _values(number: str, side: int, model: RockingModel) -> tuple[Value, dict]:
-    entry = DERIVED[number]
-    return entry.value(model, side), entry.symbols(model, side)
 
 
 def compared(number: str, relations, side: int, model: RockingModel | None = None) -> Findings:
     """Thesis minus engine for each component of each relation."""
-    values, symbols = evaluate(number, side, model)
+    values, symbols = (
+        _values_of_shipped(number, side) if model is None else _values(number, side, model)
+    )
     what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
     for relation, value in zip(relations, values, strict=True):
         for rest in differences(relation, value, side, symbols):
@@ -90,9 +86,9 @@ def acceleration(model: RockingModel, side: int) -> sp.Expr:
 
 
 def in_polar(expr: sp.Expr) -> sp.Expr:
-    """The block by R and alpha."""
+    """The block by R and alpha; other structures as they are."""
     put = {BLOCK["half_width"]: R * sp.sin(ALPHA), BLOCK["height"]: R * sp.cos(ALPHA)}
-    return expr.subs(put, simultaneous=True)
+    return expr.subs(put, simultaneous=True) if expr.has(BLOCK["height"]) else expr
 
 
 def harmonic(expr: sp.Expr, unit) -> sp.Expr:
@@ -107,7 +103,7 @@ def nondimensional(model: RockingModel, side: int) -> sp.Expr:
 def scaled(expr: sp.Expr, inertia: sp.Expr, radius: sp.Expr) -> sp.Expr:
     """A block's moments by 2-10 to 2-12, in units of m g R."""
     unit = BLOCK["mass"] * G * radius
-    put = {THETA: ALPHA * SCALED["x"], THETA_DD: ALPHA * SCALED["x_dd"] * unit / inertia}
+    put = {THETA: ALPHA * SCALED["x"], THETA_DD: ALPHA * SCALED["x_ddot"] * unit / inertia}
     return harmonic(expr.subs(put, simultaneous=True), G) / unit
 
 
@@ -268,9 +264,17 @@ def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
     return sp.Matrix([x, y]).subs(SIDE, side)
 
 
-def kinetic(model: RockingModel, side: int, body: int) -> sp.Expr:
+def kinetic(model: RockingModel, side: int, *bodies: int) -> sp.Expr:
+    """Kinetic energy of some bodies, of all if none is named."""
     mode = model.mode(MODE[side])
-    return kinetic_energy(replace(mode, bodies=(mode.bodies[body],))).subs(SIDE, side)
+    moving = tuple(mode.bodies[i] for i in bodies) or mode.bodies
+    return in_polar(kinetic_energy(replace(mode, bodies=moving)).subs(SIDE, side))
+
+
+def raised(model: RockingModel, side: int, theta: sp.Expr = THETA) -> sp.Expr:
+    """Gravitational energy at a rotation, above that of the upright structure."""
+    energy = in_polar(model.equations(MODE[side]).gravitational_energy)
+    return energy.subs(THETA, theta) - energy.subs(THETA, 0)
 
 
 def potential(model: RockingModel, side: int) -> sp.Expr:
@@ -284,7 +288,7 @@ def lagrangian(model: RockingModel, side: int) -> sp.Expr:
 
 def energies(model: RockingModel, side: int) -> dict:
     return {
-        th.T: kinetic(model, side, 0) + kinetic(model, side, 1),
+        th.T: kinetic(model, side),
         th.T_e: kinetic(model, side, 0),
         th.T_b: kinetic(model, side, 1),
         th.V: potential(model, side),
@@ -301,6 +305,25 @@ def moved(model: RockingModel, side: int) -> sp.Matrix:
     return now - now.subs({THETA: 0, PIER["u"]: 0})
 
 
+# --- the first-order form of Model C
+
+STATES = {
+    th.y_1: PIER["u"], th.y_2: PIER["u_dot"], th.y_3: THETA, th.y_4: THETA_D,
+    th.y_1d: PIER["u_dot"], th.y_2d: PIER["u_ddot"], th.y_3d: THETA_D, th.y_4d: THETA_DD,
+}  # fmt: skip
+
+
+def coefficients(model: RockingModel, side: int) -> dict:
+    """f_1 and f_2 of D-29, and the states."""
+    inertia = model.equations(MODE[side]).mass_matrix
+    return {**STATES, th.f_1: inertia[0, 1], th.f_2: inertia[0, 0]}
+
+
+def rows(model: RockingModel, side: int) -> list:
+    """What the rows of D-28 state: rates of u and theta, and what the others lack of zero."""
+    return [PIER["u_dot"], residual(model, side, 1), THETA_D, residual(model, side, 0)]
+
+
 def _of(structure: str, value, *arguments) -> Derived:
     return Derived(structure, lambda model, side: value(model, side, *arguments))
 
@@ -308,90 +331,95 @@ def _of(structure: str, value, *arguments) -> Derived:
 BLOCK_MODEL, MODEL_A, MODEL_C = "rigid_block", "lumped_mass_structure", "flexible_structure"
 SPRINGS = "two_spring_structure"
 
-DERIVED: dict[str, Derived] = {
-    "2-2": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s)).subs(GROUND_X, 0)),
-    "2-3": Derived("slender_block", lambda m, s: residual(m, s).subs(GROUND_X, 0)),
-    "2-6": _of(BLOCK_MODEL, block_energy_ratio),
-    "2-9": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s))),
-    "2-13": _of("nondimensional_block", nondimensional),
-    "2-14": _of("slender_block", slender_scaled),
-    "3-6": _of(BLOCK_MODEL, centroid_acceleration, 0),
-    "3-7": _of(BLOCK_MODEL, centroid_acceleration, 1),
-    "3-8": _of(BLOCK_MODEL, force, 0),
-    "3-9": _of(BLOCK_MODEL, force, 1),
-    "3-10": Derived("slender_block", lambda m, s: slender_start(s)),
-    "3-11": _of(BLOCK_MODEL, force_at_impact, 0),
-    "3-12": _of(BLOCK_MODEL, force_at_impact, 1),
-    "3-14": _of(BLOCK_MODEL, resting_force, 0),
-    "3-15": _of(BLOCK_MODEL, resting_force, 1),
-    "5-8": Derived(MODEL_A, lambda m, s: m.equations(MODE[s]).mass_matrix[0, 0]),
-    "5-9": _of(MODEL_A, acceleration),
-    "5-10": _of(MODEL_A, acceleration),
-    "5-11": _of(MODEL_A, acceleration),
-    "5-12": _of(MODEL_A, momentum_before),
-    "5-13": _of(MODEL_A, momentum_after),
-    "5-14": _of(MODEL_A, energy_ratio),
-    "5-15": Derived("two_spring_cart", residual, cart_forces),
-    "5-16": Derived(SPRINGS, lambda m, s: settled(m)),
-    "5-17": _of(SPRINGS, weight),
-    "5-18": _of(SPRINGS, displacement),
-    "5-22": Derived(SPRINGS, lambda m, s: lift_off_sine(m)),
-    "5-23": Derived(SPRINGS, lambda m, s: displacement(m, s).subs(sp.sin(THETA), lift_off_sine(m))),
-    "5-24": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
-    "5-25": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
-    "5-26": _of(SPRINGS, linear_lift_off_force),
-    "5-27": Derived(SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]),
-    "5-28": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
-    "5-29": _of(SPRINGS, linear_lift_off_force),
-    "5-30": _of(MODEL_A, centroid),
-    "5-31": Derived(MODEL_A, lambda m, s: pushover(m, MODE[s])),
-    "5-32": Derived(
-        MODEL_A,
-        lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS))),
-    ),
-    "5-33": _of(MODEL_A, falling_branch),
-    "5-34": _of(MODEL_C, residual, 0),
-    "5-35": _of(MODEL_C, residual, 1),
-    "5-37": _of(MODEL_C, moved),
-    "D-1": _of(MODEL_C, from_pivot, 0),
-    "D-2": _of(MODEL_C, from_pivot, 1),
-    "D-3": _of(MODEL_C, velocity, 0),
-    "D-4": _of(MODEL_C, velocity, 1),
-    "D-6": Derived(MODEL_C, lagrangian, energies),
-    "D-7": Derived(MODEL_C, lambda m, s: m.equations(MODE[s]).kinetic_energy, energies),
-    "D-8": _of(MODEL_C, kinetic, 0),
-    "D-11": _of(MODEL_C, kinetic, 0),
-    "D-12": _of(MODEL_C, kinetic, 1),
-    "D-13": _of(MODEL_C, potential),
-    "D-14": _of(MODEL_C, lagrangian),
-    "D-15": Derived(MODEL_C, lambda m, s: m.mode(MODE[s]).dissipation_function),
-    "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
-    "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
-    "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),
-    "D-19": _of(MODEL_C, residual, 0),
-    "D-20": _of(MODEL_C, residual, 1),
-    "D-21": _of(MODEL_C, from_pivot, 0),
-    "D-22": _of(MODEL_C, from_pivot, 1),
-    "D-23": _of(MODEL_C, residual, 0),
-    "D-24": _of(MODEL_C, residual, 1),
-    "D-25": _of(MODEL_C, residual, 0),
-    "D-26": _of(MODEL_C, residual, 1),
+ROUTES: dict[str, dict[str, Derived]] = {
+    "equation of motion by Lagrange's equations": {
+        "2-2": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s)).subs(GROUND_X, 0)),
+        "2-3": Derived("slender_block", lambda m, s: residual(m, s).subs(GROUND_X, 0)),
+        "2-9": Derived(BLOCK_MODEL, lambda m, s: in_polar(residual(m, s))),
+        "2-13": _of("nondimensional_block", nondimensional),
+        "2-14": _of("slender_block", slender_scaled),
+        "2-17": Derived(
+            "slender_block",
+            lambda m, s: slender_scaled(m, s).subs(th.beta, 0) - th.F_delta,
+            lambda m, s: {th.F_delta: th.F_delta},
+        ),
+        "5-9 5-10 5-11": _of(MODEL_A, acceleration),
+        "5-15": Derived("two_spring_cart", residual, cart_forces),
+        "5-34 D-19 D-23 D-25": _of(MODEL_C, residual, 0),
+        "5-35 D-20 D-24 D-26": _of(MODEL_C, residual, 1),
+        "D-28": Derived(MODEL_C, rows, coefficients),
+    },
+    "impact by the impulsive form of Lagrange's equations": {
+        "2-6": _of(BLOCK_MODEL, block_energy_ratio),
+        "5-12": _of(MODEL_A, momentum_before),
+        "5-13": _of(MODEL_A, momentum_after),
+        "5-14": _of(MODEL_A, energy_ratio),
+    },
+    "positions of the masses, differentiated": {
+        "3-6": _of(BLOCK_MODEL, centroid_acceleration, 0),
+        "3-7": _of(BLOCK_MODEL, centroid_acceleration, 1),
+        "5-18": _of(SPRINGS, displacement),
+        "5-30": _of(MODEL_A, centroid),
+        "5-37": _of(MODEL_C, moved),
+        "D-1 D-21": _of(MODEL_C, from_pivot, 0),
+        "D-2 D-22": _of(MODEL_C, from_pivot, 1),
+        "D-3": _of(MODEL_C, velocity, 0),
+        "D-4": _of(MODEL_C, velocity, 1),
+    },
+    "force of the ground on the accelerated masses": {
+        "3-8": _of(BLOCK_MODEL, force, 0),
+        "3-9": _of(BLOCK_MODEL, force, 1),
+        "3-10": Derived("slender_block", lambda m, s: slender_start(s)),
+        "3-11": _of(BLOCK_MODEL, force_at_impact, 0),
+        "3-12": _of(BLOCK_MODEL, force_at_impact, 1),
+        "3-14": _of(BLOCK_MODEL, resting_force, 0),
+        "3-15": _of(BLOCK_MODEL, resting_force, 1),
+    },
+    "equilibrium, the vertical motion condensed": {
+        "5-16": Derived(SPRINGS, lambda m, s: settled(m)),
+        "5-17": _of(SPRINGS, weight),
+        "5-22": Derived(SPRINGS, lambda m, s: lift_off_sine(m)),
+        "5-23": Derived(
+            SPRINGS, lambda m, s: displacement(m, s).subs(sp.sin(THETA), lift_off_sine(m))
+        ),
+        "5-24 5-28": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
+        "5-25 5-27": Derived(
+            SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]
+        ),
+        "5-26 5-29": _of(SPRINGS, linear_lift_off_force),
+        "5-31": Derived(MODEL_A, lambda m, s: pushover(m, MODE[s])),
+        "5-32": Derived(
+            MODEL_A,
+            lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS))),
+        ),
+        "5-33": _of(MODEL_A, falling_branch),
+    },
+    "energies and generalised forces of the positions": {
+        "3-1": _of(BLOCK_MODEL, kinetic),
+        "3-2": _of(BLOCK_MODEL, raised),
+        "5-3": _of(MODEL_A, raised),
+        "5-8": Derived(MODEL_A, lambda m, s: m.equations(MODE[s]).mass_matrix[0, 0]),
+        "D-6": Derived(MODEL_C, lagrangian, energies),
+        "D-7": Derived(MODEL_C, kinetic, energies),
+        "D-8 D-11": _of(MODEL_C, kinetic, 0),
+        "D-12": _of(MODEL_C, kinetic, 1),
+        "D-13": _of(MODEL_C, potential),
+        "D-14": _of(MODEL_C, lagrangian),
+        "D-15": Derived(MODEL_C, lambda m, s: m.mode(MODE[s]).dissipation_function),
+        "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
+        "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
+        "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),
+        "D-29": Derived(MODEL_C, lambda m, s: list(coefficients(m, s).values())[-2:], coefficients),
+    },
 }
 
-_ROUTES = {
-    "equation of motion by Lagrange's equations": (
-        "2-2 2-3 2-9 2-13 2-14 5-9 5-10 5-11 5-15 5-34 5-35 D-19 D-20 D-23 D-24 D-25 D-26"
-    ),
-    "impact by the impulsive form of Lagrange's equations": "2-6 5-12 5-13 5-14",
-    "positions of the masses, differentiated": "3-6 3-7 5-18 5-30 5-37 D-1 D-2 D-3 D-4 D-21 D-22",
-    "force of the ground on the accelerated masses": "3-8 3-9 3-10 3-11 3-12 3-14 3-15",
-    "equilibrium, the vertical motion condensed": (
-        "5-16 5-17 5-22 5-23 5-24 5-25 5-26 5-27 5-28 5-29 5-31 5-32 5-33"
-    ),
-    "energies and generalised forces of the positions": (
-        "5-8 D-6 D-7 D-8 D-11 D-12 D-13 D-14 D-15 D-16 D-17 D-18"
-    ),
+DERIVED = {
+    number: entry
+    for entries in ROUTES.values()
+    for numbers, entry in entries.items()
+    for number in numbers.split()
 }
+"""The counterpart of each equation, by its number."""
 
 
 def _find(equation: Equation, *relations: sp.Eq) -> Findings:
@@ -399,11 +427,9 @@ def _find(equation: Equation, *relations: sp.Eq) -> Findings:
         yield from compared(equation.number, relations, side)
 
 
-def _checks() -> Iterator[tuple[str, Check]]:
-    route_of = {n: route for route, numbers in _ROUTES.items() for n in numbers.split()}
-    for number, entry in DERIVED.items():
-        route = f"{route_of[number]}: {entry.structure}"
-        yield number, derived(route, _find)
-
-
-CHECKS: dict[str, Check] = dict(_checks())
+CHECKS: Checks = {
+    number: derived(f"{route}: {entry.structure}", _find)
+    for route, entries in ROUTES.items()
+    for numbers, entry in entries.items()
+    for number in numbers.split()
+}

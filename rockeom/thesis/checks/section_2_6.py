@@ -14,8 +14,7 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
-from rockeom.thesis.checks.engine import shipped, slender_scaled
-from rockeom.thesis.comparison import differences, normal_form
+from rockeom.thesis.checks.engine import shipped
 from rockeom.thesis.equation import Equation
 
 W = sp.Dummy("w", positive=True)
@@ -35,13 +34,6 @@ def smooth(expr: sp.Expr) -> sp.Expr:
 
 
 # --- 2-17 to 2-20
-
-
-def _motion(equation: Equation, *relations: sp.Eq) -> Findings:
-    for side in equation.sides:
-        free = slender_scaled(shipped("slender_block"), side).subs(th.beta, 0)
-        (rest,) = differences(relations[0], free - th.F_delta, side, {th.F_delta: th.F_delta})
-        yield vanishes(f"2-17 minus engine, x {'>' if side > 0 else '<'} 0", rest, normal_form)
 
 
 def _product(equation: Equation, relation: sp.Eq) -> Findings:
@@ -311,7 +303,6 @@ def _engine_motion() -> sp.Expr:
 
 
 CHECKS: Checks = {
-    "2-17": derived("slender block of the engine in scaled time, with a moment", _motion),
     "2-18": derived("with 2-20 and 2-27 it gives 2-28", _product),
     "2-19a": derived("its integrals across and next to the impact", _concentrated),
     "2-19b": derived("limit of 2-20 as n -> 0", _away_from_zero),

@@ -17,7 +17,6 @@ from rockeom.thesis import notation as th
 from rockeom.thesis.checks.check import Checks, Findings, derived, vanishes
 from rockeom.thesis.checks.engine import residual, shipped
 from rockeom.thesis.checks.wall import HALF_WIDTH, REMAINS, placed, reduced, right
-from rockeom.thesis.comparison import symbols_of
 from rockeom.thesis.equation import BOTH, Equation
 
 OSCILLATOR = "controlled_wall_oscillator"
@@ -27,7 +26,7 @@ SPEED = sp.Symbol("speed", positive=True)
 
 def in_thesis_symbols(model: RockingModel, expr: sp.Expr, side: int) -> sp.Expr:
     """An expression of a wall's model by the symbols of the thesis, with its B and C_2 in mm."""
-    own = symbols_of(model)
+    own = model.symbols
     stiffness = th.E_tendon * th.A_tendon / th.L_T0
     values = {
         "mass": th.m, "effective_mass": th.M_e, "pivot_inertia": th.I_o, "gravity": th.g,
@@ -35,8 +34,8 @@ def in_thesis_symbols(model: RockingModel, expr: sp.Expr, side: int) -> sp.Expr:
         "edge_distance": REMAINS, "transition": th.penalty, "tendon_stiffness": stiffness,
         "initial_force": th.P_initial, "eccentricity": 0,
         "permanent_extension": 0, "regularisation": th.n,
-        "u": th.Delta, "u_d": th.Delta_d, "u_dd": th.Delta_dd,
-        "theta": th.theta, "theta_d": th.theta_d, "theta_dd": th.theta_dd,
+        "u": th.Delta, "u_dot": th.Delta_d, "u_ddot": th.Delta_dd,
+        "theta": th.theta, "theta_dot": th.theta_d, "theta_ddot": th.theta_dd,
     }  # fmt: skip
     put = {own[name]: sp.sympify(value) for name, value in values.items() if name in own}
     put |= {GROUND_X: th.a_g, GROUND_Y: sp.S.Zero, SIDE: sp.Integer(side)}
@@ -138,7 +137,7 @@ def _substitute_gravity(structure: str) -> Callable:
     def find(equation: Equation, motion: sp.Eq, *moment: sp.Eq) -> Findings:
         model = shipped(structure)
         lever = sp.Dummy("lever", positive=True)
-        own = symbols_of(model)
+        own = model.symbols
         arm = next((f.symbol for f in model.functions if f.name == "lever"), own["half_width"])
         (pull,) = (f.symbol for f in model.functions if f.name == "elastic_force")
         stated = motion.lhs - motion.rhs
