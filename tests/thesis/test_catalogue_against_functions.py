@@ -207,6 +207,10 @@ FUNCTIONS: dict[str, tuple[Function, ...]] = {
     "3-14": (lambda n, s: forces_at_impact(n, s, 0.0)[0],),
     "3-15": (lambda n, s: forces_at_impact(n, s, 0.0)[1],),
     "3-16": (lambda n, s: ratios_from_peaks(n, n[th.k_rot]),),
+    "4-42": (
+        lambda n, s: wall_tests.back_calculated_force(n[th.M_e], n[th.Delta_dd], n[th.a_g]),
+    ),
+    "4-43": (lambda n, s: wall_tests.harmonic_force(n[th.t], n[th.M_e], n[th.Z]),),
     "5-1": (lambda n, s: identification.stiffness_from_period(n[th.m_e], n[th.T_fixed]),),
     "5-2": (
         lambda n, s: identification.rotation_from_displacement(
@@ -244,8 +248,8 @@ CHAIN = {"3-3": 2, "5-4": 2}
 ELSEWHERE = {
     "3-5",  # a sum of vectors; 3-6 and 3-7 are its components
     "4-8",  # numbers of a fit, which is made again
-    # compared with the function inside the equation's own check
-    "4-1", "4-2", "4-3", "4-4", "4-5", "4-27", "4-28", "4-31", "4-36", "4-38", "4-42", "4-43",
+    "4-1", "4-2", "4-3", "4-4", "4-27", "4-28",  # compared in test_chapter_4
+    "4-5", "4-31", "4-36", "4-38",  # compared with the function inside the equation's own check
 }  # fmt: skip
 """Cited by a function, but not compared here."""
 

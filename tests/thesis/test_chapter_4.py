@@ -8,9 +8,12 @@ import sympy as sp
 
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.thesis import EQUATIONS, notation as th
-from rockeom.thesis.checks.chapter_4_free_vibration import conservative_quarter, inertia_over_height
-from rockeom.thesis.checks.wall import corner_inertia, turned
+from rockeom.thesis import EQUATIONS, notation as th, wall_tests
+from rockeom.thesis.checks import (
+    chapter_4_free_vibration as free_vibration,
+    chapter_4_oscillator,
+    wall,
+)
 from rockeom.thesis.tables import TABLES, computed
 
 from .wrong import notices
@@ -49,6 +52,46 @@ def test_edge_that_is_pressed_instead_of_lifted_is_noticed(number):
     assert notices(EQUATIONS[number], (relation.func(relation.lhs, relation.rhs.subs(put)),))
 
 
+# --- the shipped functions
+
+MM = np.array([0.4, 2.0, 4.55, 9.23, 15.0, 30.41])
+
+
+@pytest.mark.parametrize(
+    ("method", "stated"),
+    [
+        ("uplift", lambda: 1e-3 * wall.of_displacement(wall.right("4-9"))(MM)),
+        ("tendon_force", lambda: 1e3 * wall.of_displacement(wall.right("4-16"))(MM)),
+        ("restoring_force", lambda: 1e3 * free_vibration.restoring_force()(MM)),
+    ],
+)
+def test_shipped_wall_agrees_with_the_equation(method, stated):
+    of_wall = getattr(analysis.Wall.thesis(), method)
+    assert stated() == pytest.approx(of_wall(MM / 1e3), rel=1e-9)
+
+
+@pytest.mark.parametrize("readings", [(-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)])
+def test_uplifts_at_the_edges_agree_with_4_1_to_4_4(readings):
+    put = dict(zip((th.u_L, th.u_R), readings, strict=True))
+    put[th.x] = wall.right("4-1").subs(put)
+    put[th.y_centre] = wall.right("4-2").subs(put)
+    edges = wall_tests.corrected_uplifts(*(reading / 1e3 for reading in readings))
+    stated = [float(wall.right(number).subs(put)) / 1e3 for number in ("4-3", "4-4", "4-1")]
+    assert stated == pytest.approx([float(x) for x in edges], rel=1e-9)
+
+
+def test_peaks_of_constant_r_agree_with_their_closed_form():
+    force = analysis.Wall.thesis().restoring_force
+    closed = formulas.peak_sequence(force, wall.FALL / 1e3, 0.852, float(wall.PENALTY) / 1e3, 3)
+    assert chapter_4_oscillator.peaks_of_oscillator(lambda speed: 0.852, 3) == pytest.approx(
+        1e3 * np.abs(closed), abs=1e-3
+    )
+
+
+def test_tendon_without_a_force_is_shorter_than_its_span():
+    assert float(wall.LENGTH) == pytest.approx(3093.54, abs=0.005)
+
+
 # --- the wall behind the checks
 
 
@@ -57,7 +100,9 @@ def test_turned_wall_keeps_its_shape():
     for side in (1, -1):
         moved = []
         for place in corners:
-            u, v = (float(e.subs(th.theta, side * 0.3)) for e in turned(side, *map(sp.S, place)))
+            u, v = (
+                float(e.subs(th.theta, side * 0.3)) for e in wall.turned(side, *map(sp.S, place))
+            )
             moved.append((-side * place[0] + u, place[1] + v))
         assert moved[0] == pytest.approx((0, 0))
         assert moved[1][1] > 0  # this foot lifts
@@ -69,8 +114,8 @@ def test_turned_wall_keeps_its_shape():
 
 def test_inertia_of_the_wall_with_a_moving_centre():
     """Upright the centroid moves as if about the middle of the base: m H_c**2 + I_G."""
-    upright, largest, place, developed = inertia_over_height()
-    own = corner_inertia() - 2016.06 * (0.508**2 + 2.173**2)
+    upright, largest, place, developed = free_vibration.inertia_over_height()
+    own = wall.corner_inertia() - 2016.06 * (0.508**2 + 2.173**2)
     assert upright == pytest.approx((2016.06 * 2.173**2 + own) / 2.438**2, rel=1e-4)
     assert developed == pytest.approx((2016.06 * (2.173**2 + 0.412**2) + own) / 2.438**2, rel=2e-3)
     assert largest == pytest.approx(2068, abs=1)
@@ -78,12 +123,12 @@ def test_inertia_of_the_wall_with_a_moving_centre():
 
 
 def test_quarter_period_by_energy_against_another_integration():
-    mass = corner_inertia() / 2.438**2
-    wall = analysis.Wall.thesis()
+    mass = wall.corner_inertia() / 2.438**2
+    tested = analysis.Wall.thesis()
     for peak in (5.0, 15.0, 30.41):
         # its inertia is that about the moving centre, up to 3 % less
-        other = float(wall.quarter_period_exact(peak / 1e3))
-        assert 0 < conservative_quarter(peak, mass) / other - 1 < 0.016
+        other = float(tested.quarter_period_exact(peak / 1e3))
+        assert 0 < free_vibration.conservative_quarter(peak, mass) / other - 1 < 0.016
 
 
 def test_printed_migration_meets_uplifts_and_forces_better_than_its_correction():
@@ -94,10 +139,10 @@ def test_printed_migration_meets_uplifts_and_forces_better_than_its_correction()
     lifted = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
     found = []
     for centre in (formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()):
-        wall = replace(analysis.Wall.thesis(), rotation_centre=centre)
+        tested = replace(analysis.Wall.thesis(), rotation_centre=centre)
         for measured, again in (
-            (lifted, wall.uplift(at)),
-            (record.tendon_force[rows], wall.tendon_force(at)),
+            (lifted, tested.uplift(at)),
+            (record.tendon_force[rows], tested.tendon_force(at)),
         ):
             found.append(identification.coefficient_of_determination(measured, again))
     assert found == pytest.approx([0.990, 0.924, 0.975, 0.826], abs=6e-4)

@@ -7,7 +7,7 @@ is its size for the thesis's own block and column. Both are checked.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -18,10 +18,10 @@ from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import pushover
 from rockeom.thesis import notation as th, printed
 from rockeom.thesis.checks import engine
-from rockeom.thesis.checks.check import Check, Findings, close, derived, vanishes
+from rockeom.thesis.checks.check import Checks, Findings, close, derived, vanishes
 from rockeom.thesis.checks.engine import THETA, foot_force, force, in_polar, lift_off_sine, shipped
 from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, in_engine_notation, normal_form
-from rockeom.thesis.equation import Equation
+from rockeom.thesis.equation import Equation, stated
 
 s = sign(th.theta)
 STIFFNESS = in_engine_notation(th.k_f, 1)
@@ -249,30 +249,36 @@ def taylor(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> list[sp.E
     return terms
 
 
+def leads(
+    exact: sp.Expr,
+    thesis: sp.Expr,
+    small: tuple[sp.Symbol, ...],
+    order: int,
+    error: sp.Expr,
+    reduce: Callable[[sp.Expr], sp.Expr] = sp.simplify,
+) -> Findings:
+    """Check that exact minus thesis begins with the stated error, of an order in small symbols."""
+    both = zip(*(taylor(e, small, order) for e in (exact, thesis)), strict=True)
+    *below, leading = (a - b for a, b in both)
+    for n, term in enumerate(below):
+        yield vanishes(f"term of order {n} of exact minus thesis", term, reduce)
+    yield vanishes(f"its term of order {order} minus the stated error", leading - error, reduce)
+
+
 def _find(equation: Equation, relation: sp.Eq) -> Findings:
     case = APPROXIMATIONS[equation.number]
     for side in equation.sides:
-        stated = relation.rhs if relation.lhs.is_Symbol else relation.lhs - relation.rhs
-        stated = in_engine_notation(case.factor * stated, side)
+        (whole,) = stated(relation)
+        thesis = in_engine_notation(case.factor * whole, side)
         exact, error = case.exact(side), in_engine_notation(case.error, side, {LIFT_OFF: LIFT_OFF})
         if side > 0:
-            size = abs(1 - case.at.value(stated) / case.at.value(exact))
+            size = abs(1 - case.at.value(thesis) / case.at.value(exact))
             what = f"error over the value for {case.at.words}"
             yield close(what, size, case.size, 0.05 * case.size)
         if LIFT_OFF in case.small:
-            stated, exact, error = map(stiff, (stated, exact, error))
-        ours, theirs = (taylor(e, case.small, case.order) for e in (exact, stated))
-        *below, leading = (a - b for a, b in zip(ours, theirs, strict=True))
-        for n, term in enumerate(below):
-            yield vanishes(f"term of order {n} of exact minus thesis", term, normal_form)
-        what = f"its term of order {case.order} minus the stated error"
-        yield vanishes(what, leading - error, normal_form)
+            thesis, exact, error = map(stiff, (thesis, exact, error))
+        yield from leads(exact, thesis, case.small, case.order, error, normal_form)
 
 
-def _checks() -> Iterator[tuple[str, Check]]:
-    for number, case in APPROXIMATIONS.items():
-        route = "leading Taylor term of the exact expression of the engine"
-        yield number, derived(route, _find, case.words)
-
-
-CHECKS: dict[str, Check] = dict(_checks())
+ROUTE = "leading Taylor term of the exact expression of the engine"
+CHECKS: Checks = {n: derived(ROUTE, _find, case.words) for n, case in APPROXIMATIONS.items()}

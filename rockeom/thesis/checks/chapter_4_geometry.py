@@ -1,218 +1,174 @@
-"""Checks of 4-1 to 4-16 but 4-5: the centre of rotation, the uplift and the tendon of the wall."""
+"""Checks of the geometry of the wall: 4-1 to 4-16 but 4-5, 4-33 to 4-35, B-1 to B-3, B-5 to B-7."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import sympy as sp
 from sympy import Rational, cos, sin
 
-from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.thesis import notation as th
 from rockeom.thesis.checks import check, wall
-from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.approximations import leads
+from rockeom.thesis.checks.check import Findings, close, derived, reproduced, states, vanishes
 from rockeom.thesis.equation import Equation
-from rockeom.thesis.wall_tests import corrected_uplifts
 
 # --- 4-1 to 4-4: a straight base between the gauges
 
-BETWEEN = 1076
-LOW, HIGH = sp.symbols("low high", positive=True)
-SIGNS = {
-    "the right side lifts": (-LOW, HIGH),
-    "the left side lifts": (HIGH, -LOW),
-    "both readings positive": (LOW, LOW + HIGH),
-}
+BETWEEN, PLACE = 1076, sp.Symbol("place", real=True)
+PROFILE = th.u_L + (th.u_R - th.u_L) * PLACE / BETWEEN
+"""Uplift of the straight base at a place from the left gauge."""
+(CENTRE,) = sp.solve(PROFILE, PLACE)
 
 
-def _profile(place: sp.Expr, readings: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
-    """Uplift of the straight base at a distance from the left gauge."""
-    left, other = readings
-    return left + (other - left) * place / BETWEEN
+def on_straight_base(value: sp.Expr) -> check.Find:
+    """Check a value by the readings of both gauges."""
+    centre = {th.x: CENTRE, th.y_centre: BETWEEN - CENTRE}
+    return states(value, "thesis minus straight base", lambda expr, side: expr.subs(centre))
 
 
-def _base(equation: Equation, relation: sp.Eq) -> Findings:
-    right_sides = {n: wall.right(n) for n in ("4-1", "4-2")} | {equation.number: relation.rhs}
-    places = {"4-1": 0, "4-2": BETWEEN, "4-3": 30, "4-4": BETWEEN - 30}
-    for what, readings in SIGNS.items():
-        put = dict(zip((th.u_L, th.u_R), readings, strict=True))
-        centre = right_sides["4-1"].subs(put)
-        other = right_sides["4-2"].subs(th.x, centre)
-        computed = relation.rhs.subs({th.x: centre, th.y_centre: other, **put})
-        if equation.number in ("4-1", "4-2"):
-            place = computed if equation.number == "4-1" else BETWEEN - computed
-            rest = _profile(place, readings)
-            yield vanishes(f"uplift of the base there, {what}", rest, sp.simplify)
-        else:
-            rest = computed - _profile(places[equation.number], readings)
-            yield vanishes(f"thesis minus uplift of the base, {what}", rest, sp.simplify)
-
-
-def _uplifts_again(equation: Equation, *relations: sp.Eq) -> Findings:
-    stated = relations[0].rhs
-    right_sides = {n: wall.right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
-    for left, other in ((-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)):
-        centre = right_sides["4-1"].subs({th.u_L: left, th.u_R: other})
-        put = {th.x: centre, th.y_centre: right_sides["4-2"].subs(th.x, centre)}
-        computed = float(stated.subs({th.u_L: left, th.u_R: other, **put}))
-        again = corrected_uplifts(left / 1e3, other / 1e3)
-        reference = {
-            "4-1": again.centre_from_left_gauge,
-            "4-2": BETWEEN / 1e3 - again.centre_from_left_gauge,
-            "4-3": again.left,
-            "4-4": again.right,
-        }[equation.number]
-        what = f"against rockeom.analysis in mm, readings {left} and {other} mm"
-        yield close(what, computed, 1e3 * float(reference), 1e-9)
-
-
-def _edges_of_table_a1(equation: Equation, *relations: sp.Eq) -> Findings:
+def _edges_of_table_a1(equation: Equation, relation: sp.Eq) -> Findings:
     """Compare the last column of Table A-1 with x of the readings by the inverse of 4-3, 4-4."""
-    record = wall.measured()
-    rows = record.at_peak & (record.reading == "clean")
+    record, rows = wall.measured(), wall.legible_peaks()
     left, other, distance = (
         1e3 * a[rows] for a in (record.left_uplift, record.right_uplift, record.centre_from_edge)
     )
-    reading = (
-        left - 30 / (BETWEEN - 60) * (other - left),
-        other + 30 / (BETWEEN - 60) * (other - left),
-    )
-    stated = sp.lambdify((th.u_L, th.u_R), relations[0].rhs)
-    x = np.array([stated(*pair) for pair in zip(*reading, strict=True)])
+    more = 30 / (BETWEEN - 60) * (other - left)
+    stated = sp.lambdify((th.u_L, th.u_R), relation.rhs)
+    x = np.array([stated(*pair) for pair in zip(left - more, other + more, strict=True)])
     pressed = np.where(record.displacement[rows] < 0, x, BETWEEN - x)
     worst = float(np.abs(pressed - distance).max())
     what = "distance of the 17 legible peaks from the gauge, largest error in mm, below 2.2"
-    yield Finding(what, worst, worst < 2.2)
+    yield check.Finding(what, worst, worst < 2.2)
 
 
-# --- 4-6 to 4-9: the path of the centre of rotation, and the uplift of the edge
+# --- 4-7, and what Table A-1 has
 
 
 def _migration(equation: Equation, distance: sp.Eq, penalty: sp.Eq) -> Findings:
     """Check the choices that the text states: upright, developed, and the penalty parameter."""
     width = distance.lhs + th.d_lifted * cos(th.theta)
     yield vanishes("width of the base minus twice B", width - 2 * wall.HALF_WIDTH)
-    upright = distance.rhs.subs(th.Delta, 0)
+    upright, far, near = (distance.rhs.subs(th.Delta, at) for at in (0, sp.oo, th.penalty))
     yield vanishes("distance upright minus B", upright - wall.HALF_WIDTH)
-    far = distance.rhs.subs(th.Delta, sp.oo)
-    by_gauge, by_uplifts = wall.mean_distance_from_gauge(), wall.developed_distance()
+    by_gauge, by_uplifts = map(wall.developed, ("centre_from_edge", "rotation_centre"))
     yield close("distance once rocking is developed, from the gauge", float(far), by_gauge, 1)
     yield close(
         "the same less the 30 mm to the edge, by its uplifts", float(far) - 30, by_uplifts, 1
     )
-    left = distance.rhs.subs(th.Delta, th.penalty) - far
-    yield vanishes("remainder at epsilon, minus 1/e", left / (upright - far) - sp.exp(-1))
+    rest = (near - far) / (upright - far) - sp.exp(-1)
+    yield vanishes("remainder at epsilon, minus 1/e", rest)
     yield close("epsilon, by 4.8.1", penalty.rhs, 3.551, 1e-12)
 
 
-def _general(equation: Equation, relation: sp.Eq) -> Findings:
-    """Check the two fixed points of 4-8 that the text names, and 4-9 by 4-8."""
-    yield vanishes("upright", relation.rhs.subs(th.Delta, 0) - th.C_1 - th.C_2)
-    yield vanishes("developed", relation.rhs.subs(th.Delta, sp.oo) - th.C_2)
-    numbers = {th.C_1: wall.VANISHES, th.C_2: wall.REMAINS}
-    d = (2 * wall.HALF_WIDTH - relation.rhs.subs(numbers)) / cos(th.theta)
-    yield vanishes(
-        "d sin(theta) minus 4-9",
-        wall.placed(d * sin(th.theta) - wall.right("4-9"), 1),
-        wall.reduced,
-    )
+def of_table_a1(column: Callable, unit: float, r_squared: float) -> check.Find:
+    """Check R**2 of the printed numbers of a column [SI] at the legible peaks."""
+
+    def find(equation: Equation, relation: sp.Eq) -> Findings:
+        record, rows = wall.measured(), wall.legible_peaks()
+        stated = unit * wall.of_displacement(relation.rhs)(1e3 * record.displacement[rows])
+        computed = wall.r_squared(column(record)[rows], stated)
+        yield close("R**2 of the 17 legible peaks of Table A-1", computed, r_squared, 0.005)
+
+    return find
 
 
-def _edge_uplifts(equation: Equation, *relations: sp.Eq) -> Findings:
-    record = wall.measured()
-    rows = record.at_peak & (record.reading == "clean")
-    at = record.displacement[rows]
-    reference = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
-    stated = wall.of_displacement(relations[0].rhs)(1e3 * at) / 1e3
-    yield close(
-        "R**2 of the 17 legible peaks of Table A-1", wall.r_squared(reference, stated), 0.99, 5e-3
-    )
-    gone = np.abs(stated - Wall.thesis().uplift(at)).max()
-    yield close("against rockeom.analysis in m", float(gone), 0, 1e-12)
+def lifted_edge(record) -> np.ndarray:
+    return np.where(record.displacement > 0, record.left_uplift, record.right_uplift)
 
 
-# --- 4-10, 4-16: the tendon
+# --- 4-10: the tendon
 
 
 def _chord(equation: Equation, relation: sp.Eq) -> Findings:
     """The mouth of the duct moves on a circle about O; the tendon follows the chord."""
-    lever = sp.Dummy("b", positive=True)
+    lever, small = sp.symbols("b small", positive=True)
+    exact = 2 * lever * sin(small / 2)
     for side in equation.sides:
-        right_move, up_move = wall.turned(side, lever)
-        chord = sp.sqrt(sp.trigsimp(sp.expand(right_move**2 + up_move**2)))
-        small = sp.Dummy("small", positive=True)
-        exact = 2 * lever * sin(small / 2)
-        half = sp.trigsimp(sp.expand_trig((chord**2 - exact**2).subs(th.theta, side * small)))
-        yield vanishes("chord**2 minus (2 b sin(theta/2))**2", half, sp.simplify)
-        stated = relation.rhs.subs(th.u_tendon, up_move).subs(th.theta, side * small)
-        *below, leading = taylor(exact - stated, (small,), 3)
-        for order, term in enumerate(below):
-            yield vanishes(f"term of order {order} of exact minus thesis", term, sp.expand)
-        error = -Rational(3, 8) * lever * small**3
-        yield vanishes("its term of order 3 minus the stated error", leading - error, sp.expand)
-        at = {small: math.asin(30 / wall.HEIGHT)}
-        size = float((stated / exact - 1).subs(lever, 1).subs(at))
+        right_move, up_move = (e.subs(th.theta, side * small) for e in wall.turned(side, lever))
+        rest = right_move**2 + up_move**2 - exact**2
+        yield vanishes("chord**2 minus (2 b sin(theta/2))**2", rest, sp.simplify)
+        stated = relation.rhs.subs({th.u_tendon: up_move, th.theta: side * small})
+        yield from leads(exact, stated, (small,), 3, -Rational(3, 8) * lever * small**3)
+        at = {small: math.asin(30 / wall.HEIGHT), lever: 1}
+        size = float((stated / exact - 1).subs(at))
         yield close("error over the extension at 30 mm", size, 5.7e-5, 0.1e-5)
 
 
-def _elastic_tendon(equation: Equation, force: sp.Eq) -> Findings:
-    stiffness = th.E_tendon * th.A_tendon / th.L_T0
-    for side in equation.sides:
-        stretched = th.P_initial / stiffness + wall.with_numbers(wall.tendon_extension)(side)
-        rest = wall.placed((force.rhs - stiffness * stretched).subs(th.B, wall.HALF_WIDTH), side)
-        yield vanishes("thesis minus stiffness times extension from zero force", rest, wall.reduced)
+# --- 4-33 to 4-35, B-5 to B-7: rotation and displacement
+
+PATH = sp.Function("theta")(th.t)
 
 
-def _tendon_forces(equation: Equation, *relations: sp.Eq) -> Findings:
-    record = wall.measured()
-    rows = record.at_peak & (record.reading == "clean")
-    at = record.displacement[rows]
-    stated = wall.of_displacement(relations[0].rhs)(1e3 * at) * 1e3
-    computed = wall.r_squared(record.tendon_force[rows], stated)
-    yield close("R**2 of the 17 legible peaks of Table A-1", computed, 0.927, 0.005)
-    gone = np.abs(stated / Wall.thesis().tendon_force(at) - 1).max()
-    yield close("against rockeom.analysis", float(gone), 0, 1e-5)
+def in_time(expr: sp.Expr, order: int) -> sp.Expr:
+    """Derivative by time of a function of the rotation."""
+    rate = expr.subs(th.theta, PATH).diff(th.t, order)
+    for derivative, symbol in ((PATH.diff(th.t, 2), th.theta_dd), (PATH.diff(th.t), th.theta_d)):
+        rate = rate.subs(derivative, symbol)
+    return rate.subs(PATH, th.theta)
+
+
+def rate_of_4_33(order: int) -> sp.Expr:
+    return in_time(wall.right("4-33"), order)
+
+
+def rate_of_rotation(side: int) -> sp.Expr:
+    return sp.solve(rate_of_4_33(1) - th.Delta_d, th.theta_d)[0]
+
+
+def _small_rate(equation: Equation, relation: sp.Eq) -> Findings:
+    exact = wall.right("B-6").subs(th.theta, sp.asin(th.Delta / th.H))
+    error = th.Delta_d * th.Delta**2 / (2 * th.H**3)
+    yield from leads(exact, relation.rhs, (th.Delta,), 2, error)
+    size = float((1 - relation.rhs / exact).subs({**wall.WALL, th.Delta: wall.FALL}))
+    yield close("error over the rate at 30.41 mm", size, 7.8e-5, 0.05e-5)
 
 
 # --- the checks of each equation
 
 STRAIGHT_BASE = "a straight base between the gauges"
 
+
+def _geometry(*arguments, **by_symbol):
+    return derived(wall.TURNED, wall.by_geometry(*arguments, **by_symbol))
+
+
 CHECKS: check.Checks = {
     "4-1": (
-        derived(STRAIGHT_BASE, _base),
+        derived(STRAIGHT_BASE, on_straight_base(CENTRE)),
         reproduced("Table A-1, distances from its uplifts", _edges_of_table_a1),
-        reproduced("rockeom.analysis", _uplifts_again),
     ),
-    "4-2": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
-    "4-3": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
-    "4-4": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
-    "4-6": derived(wall.TURNED, wall.by_geometry(wall.edge_uplift)),
+    "4-2": derived(STRAIGHT_BASE, on_straight_base(BETWEEN - CENTRE)),
+    "4-3": derived(STRAIGHT_BASE, on_straight_base(PROFILE.subs(PLACE, 30))),
+    "4-4": derived(STRAIGHT_BASE, on_straight_base(PROFILE.subs(PLACE, BETWEEN - 30))),
+    "4-6": _geometry(wall.edge_uplift),
     "4-7": reproduced("the choices of the text: the centreline, and Table A-1", _migration),
-    "4-8": derived("its fixed points; in 4-6 it gives 4-9", _general),
     "4-9": (
-        derived(wall.TURNED, wall.by_geometry(wall.with_numbers(wall.edge_uplift))),
-        reproduced("uplifts of Table A-1", _edge_uplifts),
+        _geometry(wall.with_numbers(wall.edge_uplift)),
+        reproduced("uplifts of Table A-1", of_table_a1(lifted_edge, 1e-3, 0.99)),
     ),
     "4-10": derived(
         "chord on which the mouth of the duct moves",
         _chord,
         "order 3 in theta, 3/8 (d - B) theta**3: 0.006 % of the extension at 30 mm",
     ),
-    "4-11": derived(
-        wall.TURNED,
-        wall.by_geometry(
-            lambda side: wall.turned(side, th.d_tendon)[1] / cos(th.theta), u_edge=wall.edge_uplift
-        ),
+    "4-11": _geometry(
+        lambda side: wall.turned(side, th.d_tendon)[1] / cos(th.theta), u_edge=wall.edge_uplift
     ),
-    "4-12": derived(wall.TURNED, wall.by_geometry(wall.tendon_extension, u_edge=wall.edge_uplift)),
-    "4-13": derived(wall.TURNED, wall.by_geometry(wall.tendon_extension)),
-    "4-14": derived(wall.TURNED, wall.by_geometry(wall.tendon_extension, u_edge=wall.edge_uplift)),
-    "4-15": derived(
-        wall.TURNED, wall.by_geometry(wall.with_numbers(wall.tendon_extension), B=wall.half_width)
+    "4-12": _geometry(wall.tendon_extension, u_edge=wall.edge_uplift),
+    "4-13": _geometry(wall.tendon_extension),
+    "4-14": _geometry(wall.tendon_extension, u_edge=wall.edge_uplift),
+    "4-15": _geometry(wall.with_numbers(wall.tendon_extension), B=wall.half_width),
+    "4-16": reproduced(
+        "tendon forces of Table A-1", of_table_a1(lambda record: record.tendon_force, 1e3, 0.927)
     ),
-    "4-16": (
-        derived(f"{wall.TURNED}, and an elastic tendon", _elastic_tendon),
-        reproduced("tendon forces of Table A-1", _tendon_forces),
-    ),
+    "4-33": _geometry(lambda side: wall.turned(side, sp.S.Zero, th.H)[0]),
+    "4-34": derived("derivative of 4-33", states(lambda side: rate_of_4_33(1))),
+    "4-35": derived("second derivative of 4-33", states(lambda side: rate_of_4_33(2))),
+    "B-1": _geometry(wall.tendon_uplift, u_edge=wall.edge_uplift),
+    "B-2": _geometry(wall.tendon_uplift, u_edge=wall.edge_uplift),
+    "B-3": _geometry(wall.with_numbers(wall.tendon_uplift), B=wall.half_width),
+    "B-5": _geometry(lambda side: sp.S.Zero),
+    "B-6": derived("derivative of 4-33", wall.by_geometry(rate_of_rotation)),
+    "B-7": derived("Taylor series of B-6", _small_rate, "order 2 in Delta/H: 0.008 % at 30.41 mm"),
 }

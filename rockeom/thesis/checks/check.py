@@ -7,7 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.thesis.comparison import differs_somewhere
+from rockeom.thesis.comparison import at_side, differs_somewhere
+from rockeom.thesis.equation import Equation, stated
 
 
 class Means(Enum):
@@ -111,6 +112,33 @@ def vanishes(what: str, difference: Any, reduce: Callable[[sp.Expr], Any] = sp.s
         return Finding(what, Unreduced(difference, reduce), False)
     rest = reduce(difference)
     return Finding(what, rest, bool(rest == 0))
+
+
+def on_side(side: int) -> str:
+    """Words for a sign of theta."""
+    return f"theta {'>' if side > 0 else '<'} 0"
+
+
+def states(
+    value: Any,
+    what: str = "thesis minus exact",
+    put: Callable[[sp.Expr, int], sp.Expr] = at_side,
+    reduce: Callable[[sp.Expr], Any] = sp.simplify,
+) -> Find:
+    """Check that each relation states a value: an expression, or a function of the sign of theta.
+
+    put : brings what is stated, for a sign of theta, into symbols of the value, in which `reduce`
+        makes zero of zero.
+    """
+
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
+        for side in equation.sides:
+            exact = value(side) if callable(value) else value
+            for relation in relations:
+                (whole,) = stated(relation)
+                yield vanishes(f"{what}, {on_side(side)}", put(whole, side) - exact, reduce)
+
+    return find
 
 
 def positive(what: str, value: Any) -> Finding:

@@ -17,8 +17,7 @@ from sympy import Rational, cos, sin
 from rockeom.analysis.identification import free_vibration
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Findings, vanishes
-from rockeom.thesis.equation import Equation
+from rockeom.thesis.checks.check import Find, states
 
 # --- the wall of the tests
 
@@ -95,20 +94,21 @@ def sizes_of_peaks() -> np.ndarray:
     return 1e3 * np.abs(record.displacement[record.at_peak])
 
 
-def _legible_peaks_to_the_right() -> np.ndarray:
+def legible_peaks() -> np.ndarray:
+    """Which rows of Table A-1 are peaks that can be read."""
     record = measured()
-    return record.at_peak & (record.reading == "clean") & (record.displacement > 0)
+    return record.at_peak & (record.reading == "clean")
 
 
-def mean_distance_from_gauge() -> float:
-    """Mean of the last column of Table A-1 at the legible peaks to the right [mm]."""
-    return float(1e3 * measured().centre_from_edge[_legible_peaks_to_the_right()].mean())
+def developed(name: str) -> float:
+    """Mean distance of the centre of rotation [mm] at the legible peaks to the right.
 
-
-def developed_distance() -> float:
-    """Mean distance from the edge by the uplifts at the legible peaks to the right [mm]."""
-    rows = _legible_peaks_to_the_right()
-    return float(1e3 * measured().rotation_centre(HALF_WIDTH / 1e3)[rows].mean())
+    name : "centre_from_edge", the last column of Table A-1, or "rotation_centre", by the uplifts.
+    """
+    record = measured()
+    distance = getattr(record, name)
+    distance = distance(HALF_WIDTH / 1e3) if callable(distance) else distance
+    return float(1e3 * distance[legible_peaks() & (record.displacement > 0)].mean())
 
 
 # --- geometry
@@ -160,18 +160,13 @@ def lifted() -> sp.Expr:
     return (2 * HALF_WIDTH - distance) / cos(th.theta)
 
 
-def by_geometry(exact: Callable[[int], sp.Expr], **by_symbol: Callable[[int], sp.Expr]) -> Callable:
+def by_geometry(exact: Callable[[int], sp.Expr], **by_symbol: Callable[[int], sp.Expr]) -> Find:
     """Check that the right side equals `exact(side)`, once `by_symbol` replaces its symbols."""
 
-    def find(equation: Equation, *relations: sp.Eq) -> Findings:
-        for side in equation.sides:
-            put = {getattr(th, name): value(side) for name, value in by_symbol.items()}
-            for relation in relations:
-                rest = placed((relation.rhs - exact(side)).subs(put), side)
-                what = f"thesis minus geometry, theta {'>' if side > 0 else '<'} 0"
-                yield vanishes(what, rest, reduced)
+    def put(expr: sp.Expr, side: int) -> sp.Expr:
+        return placed(expr.subs({getattr(th, n): e(side) for n, e in by_symbol.items()}), side)
 
-    return find
+    return states(lambda side: put(exact(side), side), "thesis minus geometry", put, reduced)
 
 
 def edge_uplift(side: int) -> sp.Expr:
