@@ -25,44 +25,35 @@ def of_added_mass(across: Expr) -> Expr:
     return _kept(Add, _kept(Pow, Float("2.537"), 2), across**2)
 
 
-POTENTIAL_ENERGY = section(
-    "B.1",
-    Kind.CLOSED_FORM(
-        "B-1 uplift of the base at the tendon, on the centreline",
-        th.u_tendon,
-        th.u_edge - th.B * sin(th.theta),
-        sides=POSITIVE,
+POTENTIAL_ENERGY = {
+    "B-1 uplift of the base at the tendon, on the centreline": Kind.CLOSED_FORM(
+        th.u_tendon, th.u_edge - th.B * sin(th.theta), sides=POSITIVE
     ),
-    Kind.CLOSED_FORM(
-        "B-2 B-1 by the displacement", th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H
+    "B-2 B-1 by the displacement": Kind.CLOSED_FORM(
+        th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H
     ),
-    Kind.CLOSED_FORM(
-        "B-3 B-2 with 4-9",
-        th.u_tendon,
-        RISE,
-        units="920 mm, 412 mm",
-    ),
-    Kind.APPROXIMATION(
-        "B-4 gravitational energy, as 4-18",
+    "B-3 B-2 with 4-9": Kind.CLOSED_FORM(th.u_tendon, RISE, units="920 mm, 412 mm"),
+    "B-4 gravitational energy, as 4-18": Kind.APPROXIMATION(
         th.U_of,
         th.m_T * th.g * RISE,
         remark="In mJ where lengths are in mm.",
         units="920 mm, 412 mm",
     ),
-)
+}
 
-KINETIC_ENERGY = section(
-    "B.2",
-    Kind.DEFINITION("B-5 rotation by the displacement", sin(th.theta), th.Delta / th.H),
-    Kind.CLOSED_FORM(
-        "B-6 its rate", th.theta_d, th.Delta_d / (th.H * cos(th.theta)), th.Delta_d / LEVEL
+
+KINETIC_ENERGY = {
+    "B-5 rotation by the displacement": Kind.DEFINITION(sin(th.theta), th.Delta / th.H),
+    "B-6 its rate": Kind.CLOSED_FORM(
+        th.theta_d, th.Delta_d / (th.H * cos(th.theta)), th.Delta_d / LEVEL
     ),
-    Kind.APPROXIMATION("B-7 the same for a small rotation", th.theta_d, th.Delta_d / th.H),
-    Kind.APPROXIMATION(
-        "B-8 kinetic energy, as 4-19", th.E_k_of, Rational(1, 2) / th.H**2 * th.I_o * th.Delta_d**2
+    "B-7 the same for a small rotation": Kind.APPROXIMATION(th.theta_d, th.Delta_d / th.H),
+    "B-8 kinetic energy, as 4-19": Kind.APPROXIMATION(
+        th.E_k_of, Rational(1, 2) / th.H**2 * th.I_o * th.Delta_d**2
     ),
-    Kind.DEFINITION(
-        "B-9 moment of inertia about the centre of rotation, of the wall and of the added mass",
+    (
+        "B-9 moment of inertia about the centre of rotation, of the wall and of the added mass"
+    ): Kind.DEFINITION(
         th.I_o,
         _kept(
             Add,
@@ -76,22 +67,17 @@ KINETIC_ENERGY = section(
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
         units="686 kg m2, 577.56 kg, 2.537 m, 442 kg m2, 1438.5 kg",
     ),
-)
+}
 
-TENDON_ENERGY = section(
-    "B.3",
-    Kind.DEFINITION(
-        "B-10 elastic energy stored between two extensions",
-        th.energy_stored,
-        Integral(th.k * th.x, (th.x, th.x_1, th.x_2)),
+
+TENDON_ENERGY = {
+    "B-10 elastic energy stored between two extensions": Kind.DEFINITION(
+        th.energy_stored, Integral(th.k * th.x, (th.x, th.x_1, th.x_2))
     ),
-    Kind.CLOSED_FORM(
-        "B-11 extension of the tendon by its force",
-        th.x_2,
-        th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon),
+    "B-11 extension of the tendon by its force": Kind.CLOSED_FORM(
+        th.x_2, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon)
     ),
-    Kind.CLOSED_FORM(
-        "B-12 elastic energy of the tendon before it yields",
+    "B-12 elastic energy of the tendon before it yields": Kind.CLOSED_FORM(
         th.U_E_of,
         Integral(
             STIFFNESS * th.x, (th.x, BEFORE, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon))
@@ -100,8 +86,7 @@ TENDON_ENERGY = section(
         remark="The line between the two has 6.4564E-03, which is the same in metres.",
         units="6.4564 mm, 244.05 J",
     ),
-    Kind.CLOSED_FORM(
-        "B-13 elastic energy of the tendon after it has yielded",
+    "B-13 elastic energy of the tendon after it has yielded": Kind.CLOSED_FORM(
         th.U_E_of,
         _kept(
             Add,
@@ -113,6 +98,10 @@ TENDON_ENERGY = section(
         "has 160 kN and 177 mm2.",
         units="6.4564 mm, 13.5814 mm, 7.125 mm, 159.03 kN, 297.22 J",
     ),
-)
+}
 
-APPENDIX_B = (*POTENTIAL_ENERGY, *KINETIC_ENERGY, *TENDON_ENERGY)
+APPENDIX_B = (
+    *section("B.1", POTENTIAL_ENERGY),
+    *section("B.2", KINETIC_ENERGY),
+    *section("B.3", TENDON_ENERGY),
+)

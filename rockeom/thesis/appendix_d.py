@@ -76,22 +76,17 @@ def on_side(relations, side):
     return replaced(relations, {th.s: Integer(side)})
 
 
-FROM_RIGHT_PIVOT = section(
-    "Appendix D",
-    Kind.DEFINITION(
-        "D-1 position of the superstructure from O",
-        th.r_e,
-        Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)]),
+FROM_RIGHT_PIVOT = {
+    "D-1 position of the superstructure from O": Kind.DEFINITION(
+        th.r_e, Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)])
     ),
-    Kind.DEFINITION(
-        "D-2 position of the base structure from O",
+    "D-2 position of the base structure from O": Kind.DEFINITION(
         th.r_b,
         Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)]),
         correction={f(alpha_e - theta): f(alpha_b - theta) for f in (sin, cos)},
         reason="alpha_e is printed for alpha_b.",
     ),
-    Kind.CLOSED_FORM(
-        "D-3 velocity of the superstructure",
+    "D-3 velocity of the superstructure": Kind.CLOSED_FORM(
         th.v_e,
         Matrix(
             [
@@ -100,17 +95,15 @@ FROM_RIGHT_PIVOT = section(
             ]
         ),
     ),
-    Kind.CLOSED_FORM(
-        "D-4 velocity of the base structure",
+    "D-4 velocity of the base structure": Kind.CLOSED_FORM(
         th.v_b,
         Matrix([theta_d * R_b * cos(alpha_e - theta), theta_d * R_b * sin(alpha_e - theta)]),
         correction={f(alpha_e - theta): f(alpha_b - theta) for f in (sin, cos)},
         reason="alpha_e is printed for alpha_b.",
     ),
-    Kind.DEFINITION("D-6 Lagrangian", th.L, th.T - th.V),
-    Kind.DEFINITION("D-7 kinetic energy", th.T, th.T_e + th.T_b),
-    Kind.CLOSED_FORM(
-        "D-8 kinetic energy of the superstructure",
+    "D-6 Lagrangian": Kind.DEFINITION(th.L, th.T - th.V),
+    "D-7 kinetic energy": Kind.DEFINITION(th.T, th.T_e + th.T_b),
+    "D-8 kinetic energy of the superstructure": Kind.CLOSED_FORM(
         th.T_e,
         kinetic(m_e, D_8_BRACKETS[0] ** 2 + D_8_BRACKETS[1] ** 2, th.I_eg),
         kinetic(m_e, sum(d_8_squares(1, cos)), th.I_eg),
@@ -122,25 +115,18 @@ FROM_RIGHT_PIVOT = section(
         "missing in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 "
         "sin(theta)^2 in the square of the second bracket.",
     ),
-    Kind.CLOSED_FORM("D-11 kinetic energy of the superstructure", th.T_e, T_E),
-    Kind.CLOSED_FORM(
-        "D-12 kinetic energy of the base structure",
-        th.T_b,
-        T_B_FIRST,
-        T_B,
-        correction=SQUARED,
-        reason="R_b is not squared in the last line.",
+    "D-11 kinetic energy of the superstructure": Kind.CLOSED_FORM(th.T_e, T_E),
+    "D-12 kinetic energy of the base structure": Kind.CLOSED_FORM(
+        th.T_b, T_B_FIRST, T_B, correction=SQUARED, reason="R_b is not squared in the last line."
     ),
-    Kind.CLOSED_FORM("D-13 potential energy", th.V, V_OF_MODEL_C),
-    Kind.CLOSED_FORM(
-        "D-14 Lagrangian written out",
+    "D-13 potential energy": Kind.CLOSED_FORM(th.V, V_OF_MODEL_C),
+    "D-14 Lagrangian written out": Kind.CLOSED_FORM(
         th.L,
         T_E + T_B - V_OF_MODEL_C,
         correction=SQUARED,
         reason="R_b is not squared in the kinetic energy of the base structure, as in D-12.",
     ),
-    Kind.DEFINITION(
-        "D-16 generalised forces of the d'Alembert loads -m a_g i",
+    "D-16 generalised forces of the d'Alembert loads -m a_g i": Kind.DEFINITION(
         (
             *says(
                 th.Q_theta,
@@ -151,32 +137,26 @@ FROM_RIGHT_PIVOT = section(
         illegible="Not legible; the definition of a generalised force, of which D-17 and D-18 "
         "follow.",
     ),
-    Kind.CLOSED_FORM(
-        "D-17 generalised force of the rotation",
+    "D-17 generalised force of the rotation": Kind.CLOSED_FORM(
         th.Q_theta,
         -m_e * th.a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
         - m_b * th.a_g * R_b * cos(alpha_b - theta),
     ),
-    Kind.CLOSED_FORM(
-        "D-18 generalised force of the deformation", th.Q_u, -m_e * th.a_g * cos(theta)
+    "D-18 generalised force of the deformation": Kind.CLOSED_FORM(
+        th.Q_u, -m_e * th.a_g * cos(theta)
     ),
-    Kind.MOTION(
-        "D-19 Model C for theta > 0: rotation",
+    "D-19 Model C for theta > 0: rotation": Kind.MOTION(
         on_side(THETA_OF_MODEL_C, 1),
         illegible="Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
     ),
-    Kind.MOTION(
-        "D-20 Model C for theta > 0: deformation",
-        on_side(U_OF_MODEL_C, 1),
-        illegible="Not legible; D-5 with D-14 (corrected), D-15 and D-18.",
+    "D-20 Model C for theta > 0: deformation": Kind.MOTION(
+        on_side(U_OF_MODEL_C, 1), illegible="Not legible; D-5 with D-14 (corrected), D-15 and D-18."
     ),
-    sides=POSITIVE,
-)
+}
 
-FROM_LEFT_PIVOT = section(
-    "Appendix D",
-    Kind.DEFINITION(
-        "D-21 position of the superstructure from O'",
+
+FROM_LEFT_PIVOT = {
+    "D-21 position of the superstructure from O'": Kind.DEFINITION(
         th.r_e,
         Matrix(
             [
@@ -185,24 +165,22 @@ FROM_LEFT_PIVOT = section(
             ]
         ),
     ),
-    Kind.DEFINITION(
-        "D-22 position of the base structure from O'",
+    "D-22 position of the base structure from O'": Kind.DEFINITION(
         th.r_b,
         Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)]),
         correction={f(alpha_e + theta): f(alpha_b + theta) for f in (sin, cos)},
         reason="alpha_e is printed for alpha_b.",
     ),
-    Kind.MOTION(
-        "D-23 Model C for theta < 0: rotation",
+    "D-23 Model C for theta < 0: rotation": Kind.MOTION(
         replaced(on_side(THETA_OF_MODEL_C, -1), {u * cos(theta): -u * cos(theta)}),
         correction={-u * cos(theta): u * cos(theta)},
         reason="In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves "
         "the weight to the right on either side, so that D-19, D-23 and D-25 alike have -m_e g u "
         "cos(theta).",
     ),
-    Kind.MOTION("D-24 Model C for theta < 0: deformation", on_side(U_OF_MODEL_C, -1)),
-    sides=NEGATIVE,
-)
+    "D-24 Model C for theta < 0: deformation": Kind.MOTION(on_side(U_OF_MODEL_C, -1)),
+}
+
 
 # --- the first-order form
 
@@ -228,46 +206,37 @@ ROTATION_ROW = says(
     - m_b * th.a_g * R_b * cos(alpha_b - S_Y * th.y_3),
 )
 
-ON_EITHER_SIDE = section(
-    "Appendix D",
-    Kind.DEFINITION(
-        "D-5 Lagrange's equation with a dissipation function",
+ON_EITHER_SIDE = {
+    "D-5 Lagrange's equation with a dissipation function": Kind.DEFINITION(
         Derivative(Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t.diff(th.t)), th.t)
         - Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t)
         + Derivative(th.DISSIPATION(th.q_t.diff(th.t)), th.q_t.diff(th.t)),
         th.Q_i,
     ),
-    Kind.DEFINITION(
-        "D-9 sine of a sum",
+    "D-9 sine of a sum": Kind.DEFINITION(
         sin(th.A_angle + th.PM * th.B_angle),
         sin(th.A_angle) * cos(th.B_angle) + th.PM * cos(th.A_angle) * sin(th.B_angle),
     ),
-    Kind.DEFINITION(
-        "D-10 cosine of a sum",
+    "D-10 cosine of a sum": Kind.DEFINITION(
         cos(th.A_angle + th.PM * th.B_angle),
         cos(th.A_angle) * cos(th.B_angle) - th.PM * sin(th.A_angle) * sin(th.B_angle),
     ),
-    Kind.DEFINITION(
-        "D-15 dissipation function (the thesis calls it a force)",
-        th.F_nc,
-        Rational(1, 2) * th.c * u_d**2,
+    "D-15 dissipation function (the thesis calls it a force)": Kind.DEFINITION(
+        th.F_nc, Rational(1, 2) * th.c * u_d**2
     ),
-    Kind.MOTION("D-25 Model C: rotation, as 5-34", THETA_OF_MODEL_C),
-    Kind.MOTION("D-26 Model C: deformation, as 5-35", U_OF_MODEL_C),
-    Kind.PROCEDURE(
-        "D-27 Model C as a system of first order, y = (u, u', theta, theta')",
+    "D-25 Model C: rotation, as 5-34": Kind.MOTION(THETA_OF_MODEL_C),
+    "D-26 Model C: deformation, as 5-35": Kind.MOTION(U_OF_MODEL_C),
+    "D-27 Model C as a system of first order, y = (u, u', theta, theta')": Kind.PROCEDURE(
         th.M_matrix * th.y_d_column,
         th.f_column,
         remark="f is a function of t and y; so is M, which D-28 shows.",
     ),
-    Kind.PROCEDURE(
-        "D-28 its rows",
+    "D-28 its rows": Kind.PROCEDURE(
         (*says(th.y_1d, th.y_2), *DEFORMATION_ROW, *says(th.y_3d, th.y_4), *ROTATION_ROW),
         remark="u and u' in the first bracket of the last row are y_1 and y_2, two notations "
         "mixed.",
     ),
-    Kind.PROCEDURE(
-        "D-29 the coefficients of its last row",
+    "D-29 the coefficients of its last row": Kind.PROCEDURE(
         (
             *says(th.f_1, m_e * R_e * cos(alpha_e)),
             *says(
@@ -279,8 +248,12 @@ ON_EITHER_SIDE = section(
                 + m_b * R_b**2
                 + th.I_bg,
             ),
-        ),
+        )
     ),
-)
+}
 
-APPENDIX_D = (*FROM_RIGHT_PIVOT, *FROM_LEFT_PIVOT, *ON_EITHER_SIDE)
+APPENDIX_D = (
+    *section("Appendix D", FROM_RIGHT_PIVOT, sides=POSITIVE),
+    *section("Appendix D", FROM_LEFT_PIVOT, sides=NEGATIVE),
+    *section("Appendix D", ON_EITHER_SIDE),
+)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import sympy as sp
@@ -33,14 +33,12 @@ class Kind(Enum):
     PROCEDURE = "procedure"
 
     def __call__(
-        self, title: str, left: Any, *rights: Any, illegible: str = "", **more: Any
-    ) -> Equation:
-        """An equation of this kind, whose section is stated by `section`.
+        self, left: Any, *rights: Any, illegible: str = "", **more: Any
+    ) -> Callable[..., Equation]:
+        """An equation of this kind, to which `section` adds its number, meaning and place.
 
         Parameters
         ----------
-        title : str
-            Number and meaning, "4-34 its rate".
         left : sympy.Expr or Relations
             Left side, or all relations if no right side follows.
         *rights : sympy.Expr
@@ -50,11 +48,10 @@ class Kind(Enum):
         **more
             Other parameters of `Equation`.
         """
-        number, _, meaning = title.partition(" ")
         relations = says(left, *rights) if rights else left
         if illegible:
-            return Equation(self, number, meaning, restored=relations, reason=illegible, **more)
-        return Equation(self, number, meaning, relations, **more)
+            return partial(Equation, self, restored=relations, reason=illegible, **more)
+        return partial(Equation, self, printed=relations, **more)
 
 
 @dataclass(frozen=True)
@@ -248,9 +245,19 @@ def place_of(one: Any) -> tuple[str, int, str]:
     return chapter, int(digits), place[len(digits) :]
 
 
-def section(place: str, *equations: Equation, **more: Any) -> tuple[Equation, ...]:
-    """The equations of a section of the thesis, and parameters that all of them have."""
-    return tuple(replace(equation, section=place, **more) for equation in equations)
+def section(
+    place: str, entries: Mapping[str, Callable[..., Equation]], **more: Any
+) -> tuple[Equation, ...]:
+    """The equations of a section of the thesis.
+
+    entries : each under its number and meaning, "4-34 its rate".
+    more : parameters that all of them have.
+    """
+    titles = (title.split(" ", 1) for title in entries)
+    return tuple(
+        entry(number=number, meaning=meaning, section=place, **more)
+        for (number, meaning), entry in zip(titles, entries.values(), strict=True)
+    )
 
 
 def says(left: Any, *rights: Any) -> Relations:
