@@ -95,6 +95,13 @@ def at_side(expr, side: int):
     return expr.subs({k: sp.sympify(v) for k, v in cases.items()}).subs(th.PM, side)
 
 
+def rate(expr: sp.Expr, order: int = 1) -> sp.Expr:
+    """Derivative by time of a function of the rotation and its rate."""
+    for _ in range(order):
+        expr = sp.diff(expr, th.theta) * th.theta_d + sp.diff(expr, th.theta_d) * th.theta_dd
+    return expr
+
+
 def spread(expr: sp.Expr) -> sp.Expr:
     """Sines and cosines of sums as products."""
     tangents = expr.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))

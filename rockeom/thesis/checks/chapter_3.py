@@ -11,16 +11,8 @@ from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks import check, engine
 from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
-from rockeom.thesis.checks.engine import (
-    THETA,
-    THETA_D,
-    in_polar,
-    kinetic,
-    raised,
-    rectangular,
-    shipped,
-)  # fmt: skip
-from rockeom.thesis.comparison import ALPHA, at_side, in_engine_notation, normal_form
+from rockeom.thesis.checks.engine import THETA, THETA_D, in_polar, rectangular, shipped
+from rockeom.thesis.comparison import ALPHA, at_side, in_engine_notation, normal_form, rate
 from rockeom.thesis.equation import POSITIVE, Equation
 from rockeom.thesis.printed import BLOCK, FIGURE_3_3, TABLE_3_1
 
@@ -34,10 +26,6 @@ def spring(theta: sp.Expr) -> sp.Expr:
     return sp.integrate(th.k_rot * th.theta, (th.theta, 0, theta))
 
 
-def _spring(equation: Equation, relation: sp.Eq) -> Findings:
-    yield vanishes("thesis minus work", relation.rhs - spring(th.theta), sp.expand)
-
-
 def ratio_of_peaks(
     name: str = "rigid_block", more: Callable[[sp.Expr], sp.Expr] = lambda theta: sp.S.Zero
 ) -> Callable:
@@ -49,8 +37,8 @@ def ratio_of_peaks(
     def find(equation: Equation, *relations: sp.Eq) -> Findings:
         for side in equation.sides:
             model = shipped(name)
-            before = raised(model, side, th.theta_before) + more(th.theta_before)
-            after = raised(model, -side, th.theta_after) + more(th.theta_after)
+            before = engine.raised(model, side, th.theta_before) + more(th.theta_before)
+            after = engine.raised(model, -side, th.theta_after) + more(th.theta_after)
             symbols = {x: x for x in (th.theta_before, th.theta_after, th.k_rot)}
             symbols |= {th.E_before: before, th.U_before: before}
             symbols |= {th.E_after: after, th.U_after: after}
@@ -59,10 +47,10 @@ def ratio_of_peaks(
                 rest = in_engine_notation(stated, side, symbols) - after / before
                 yield vanishes("thesis minus ratio of energies", rest, normal_form)
 
-            inertia = sp.diff(kinetic(model, side), THETA_D, 2)
+            inertia = sp.diff(engine.kinetic(model, side), THETA_D, 2)
             free = in_polar(engine.acceleration(model, side)).subs(GROUND_X, 0)
             free -= sp.diff(more(THETA), THETA) / inertia
-            energy = kinetic(model, side) + raised(model, side) + more(THETA)
+            energy = engine.kinetic(model, side) + engine.raised(model, side) + more(THETA)
             power = sp.diff(energy, THETA) * THETA_D + sp.diff(energy, THETA_D) * free
             yield vanishes("change of the energy between impacts", power, normal_form)
 
@@ -117,20 +105,11 @@ def _bunches(equation: Equation, *relations: sp.Eq) -> Findings:
 
 def _of_circle(equation: Equation, relation: sp.Eq) -> Findings:
     """3-5 with the second derivative of the position about the pivot, against 3-6 and 3-7."""
-    theta = sp.Function("theta")(th.t)
-    at_one_time = {
-        theta.diff(th.t, 2): th.theta_dd,
-        theta.diff(th.t): th.theta_d,
-        theta: th.theta,
-    }
     for side in equation.sides:
-        angle = th.alpha - side * theta
+        angle = th.alpha - side * th.theta
         places = (-side * th.R * sp.sin(angle), th.R * sp.cos(angle))
         for number, place, ground in zip(("3-6", "3-7"), places, (th.a_gx, 0), strict=True):
-            about_pivot = place.diff(th.t, 2)
-            for derivative, symbol in at_one_time.items():
-                about_pivot = about_pivot.subs(derivative, symbol)
-            whole = relation.rhs.subs({th.a_g: ground, th.u_cg_dd: about_pivot})
+            whole = relation.rhs.subs({th.a_g: ground, th.u_cg_dd: rate(place, 2)})
             rest = whole - at_side(EQUATIONS[number].right[0].rhs, side)
             yield vanishes(f"3-5 minus {number}", sp.expand_trig(rest), sp.expand)
 
@@ -143,9 +122,11 @@ def _largest_speed(equation: Equation, relation: sp.Eq) -> Findings:
     for direction in equation.sides:
         stated = at_side(relation.rhs, direction)
         block = shipped("rigid_block")
-        fall = rectangular(raised(block, -direction, -direction * ALPHA))
+        fall = rectangular(engine.raised(block, -direction, -direction * ALPHA))
         speed_squared = in_engine_notation(stated**2, direction)
-        gained = rectangular(kinetic(block, -direction)).subs(THETA_D, sp.sqrt(speed_squared))
+        gained = rectangular(engine.kinetic(block, -direction)).subs(
+            THETA_D, sp.sqrt(speed_squared)
+        )
         yield vanishes("kinetic energy minus what the fall gives", gained - fall, normal_form)
         velocity = float(stated.subs(block_numbers()))
         yield check.positive("velocity times its sign, block of chapter 3,", direction * velocity)
@@ -172,39 +153,31 @@ BUNCHES = {("3-17", -1): (0.73, 0.76), ("3-17", 1): (0.80, 0.86), ("3-18", 1): (
 """Section 3.3: r of most impacts, by the equation and the sign of the velocity."""
 
 
-def _bunch(equation: Equation, *relations: sp.Eq) -> Findings:
-    """The mean of r, from the least fitted impact of 6 J to the largest speed, by its bunch."""
-    loss = sp.lambdify(th.theta_d_peak, relations[0].rhs)
-    inertia = block_numbers()[th.I_o]
-    speeds = np.linspace(np.sqrt(2 * 6 / inertia), largest_speed(), 50)
-    for side in equation.sides:
-        low, high = BUNCHES[equation.number, side]
-        mean = float(np.mean(1 + loss(side * speeds) / (inertia * speeds**2 / 2)))
-        yield close(f"mean r at velocities of sign {side}", mean, (low + high) / 2, 0.015)
-
-
 def largest_speed() -> float:
     """Largest speed at an impact, by 3-13 [rad/s]."""
     return float(at_side(EQUATIONS["3-13"].right[0].rhs, 1).subs(block_numbers()))
 
 
-def _fit(equation: Equation, *relations: sp.Eq) -> Findings:
-    """A loss of some of the energy, up to the largest speed, 3-13.
+def _losses(equation: Equation, relation: sp.Eq) -> Findings:
+    """A loss of some of the energy, up to the largest speed, and the mean of r by its bunch.
 
-    3-17 is one only from a speed on, below that of 6 J, the least of the fitted impacts.
+    3-17 is a loss only from a speed on, below that of 6 J, the least of the fitted impacts.
     """
-    (relation,) = relations
-    loss = sp.lambdify(th.theta_d_peak, relation.rhs)
+    change = sp.lambdify(th.theta_d_peak, relation.rhs)
     inertia = block_numbers()[th.I_o]
-    least = 1e-3 if equation.sides == POSITIVE else np.sqrt(2 * 6 / inertia)
-    yield vanishes(
-        "change of the energy without a speed", relations[0].rhs.subs(th.theta_d_peak, 0)
-    )
-    speeds = np.linspace(least, largest_speed(), 50)
+    yield vanishes("change of the energy without a speed", relation.rhs.subs(th.theta_d_peak, 0))
+    fitted = np.sqrt(2 * 6 / inertia)
+    least = 1e-3 if equation.sides == POSITIVE else fitted
     for side in equation.sides:
-        left = 1 + loss(side * speeds) / (inertia * speeds**2 / 2)
-        holds = bool((left > 0).all() and (left < 1).all())
-        yield Finding("range of r by the fit", (left.min(), left.max()), holds)
+        left, fitted_left = (
+            1 + change(side * speeds) / (inertia * speeds**2 / 2)
+            for speeds in (np.linspace(low, largest_speed(), 50) for low in (least, fitted))
+        )
+        ends = float(left.min()), float(left.max())
+        yield Finding("range of r by the fit", ends, 0 < ends[0] < ends[1] < 1)
+        mean = float(fitted_left.mean())
+        middle = sum(BUNCHES[equation.number, side]) / 2
+        yield close(f"mean r at velocities of sign {side}", mean, middle, 0.015)
 
 
 def _fitted_impacts(within: float) -> Callable:
@@ -225,15 +198,14 @@ def _fitted_impacts(within: float) -> Callable:
     return find
 
 
-_FIT = "losses that an impact can have"
-_BUNCH = "bunches of r in section 3.3"
+_LOSSES = "losses that an impact can have, in the bunches of r of section 3.3"
 
 CHECKS: check.Checks = {
     "3-3": (
         derived("energies of rigid_block, conserved between impacts", ratio_of_peaks()),
         reproduced("peaks of Figure 3-3 in the bunches of Figure 3-19", _bunches),
     ),
-    "3-4": derived("work against a moment k_rot theta", _spring),
+    "3-4": derived("work against a moment k_rot theta", check.states(spring(th.theta))),
     "3-5": derived("positions in time, differentiated: 3-6 and 3-7", _of_circle),
     "3-11": reproduced("Table 3-1", _table_3_1(1)),
     "3-12": reproduced("Table 3-1", _table_3_1(0)),
@@ -246,13 +218,11 @@ CHECKS: check.Checks = {
         reproduced("peaks of Figure 3-3, without the spring", _bunches),
     ),
     "3-17": (
-        reproduced(_BUNCH, _bunch),
-        derived(_FIT, _fit),
+        reproduced(_LOSSES, _losses),
         reproduced("Figure 3-3, impacts on the left edge", _fitted_impacts(0.036)),
     ),
     "3-18": (
-        reproduced(_BUNCH, _bunch),
-        derived(_FIT, _fit),
+        reproduced(_LOSSES, _losses),
         reproduced("Figure 3-3, impacts on the right edge", _fitted_impacts(0.0065)),
     ),
 }

@@ -11,6 +11,7 @@ from rockeom.thesis import notation as th
 from rockeom.thesis.checks import check, wall
 from rockeom.thesis.checks.approximations import leads
 from rockeom.thesis.checks.check import Findings, close, derived, reproduced, states, vanishes
+from rockeom.thesis.comparison import rate
 from rockeom.thesis.equation import Equation
 
 # --- 4-1 to 4-4: a straight base between the gauges
@@ -97,23 +98,9 @@ def _chord(equation: Equation, relation: sp.Eq) -> Findings:
 
 # --- 4-33 to 4-35, B-5 to B-7: rotation and displacement
 
-PATH = sp.Function("theta")(th.t)
-
-
-def in_time(expr: sp.Expr, order: int) -> sp.Expr:
-    """Derivative by time of a function of the rotation."""
-    rate = expr.subs(th.theta, PATH).diff(th.t, order)
-    for derivative, symbol in ((PATH.diff(th.t, 2), th.theta_dd), (PATH.diff(th.t), th.theta_d)):
-        rate = rate.subs(derivative, symbol)
-    return rate.subs(PATH, th.theta)
-
-
-def rate_of_4_33(order: int) -> sp.Expr:
-    return in_time(wall.right("4-33"), order)
-
 
 def rate_of_rotation(side: int) -> sp.Expr:
-    return sp.solve(rate_of_4_33(1) - th.Delta_d, th.theta_d)[0]
+    return sp.solve(rate(wall.right("4-33")) - th.Delta_d, th.theta_d)[0]
 
 
 def _small_rate(equation: Equation, relation: sp.Eq) -> Findings:
@@ -163,8 +150,8 @@ CHECKS: check.Checks = {
         "tendon forces of Table A-1", of_table_a1(lambda record: record.tendon_force, 1e3, 0.927)
     ),
     "4-33": _geometry(lambda side: wall.turned(side, sp.S.Zero, th.H)[0]),
-    "4-34": derived("derivative of 4-33", states(lambda side: rate_of_4_33(1))),
-    "4-35": derived("second derivative of 4-33", states(lambda side: rate_of_4_33(2))),
+    "4-34": derived("derivative of 4-33", states(lambda side: rate(wall.right("4-33")))),
+    "4-35": derived("second derivative of 4-33", states(lambda side: rate(wall.right("4-33"), 2))),
     "B-1": _geometry(wall.tendon_uplift, u_edge=wall.edge_uplift),
     "B-2": _geometry(wall.tendon_uplift, u_edge=wall.edge_uplift),
     "B-3": _geometry(wall.with_numbers(wall.tendon_uplift), B=wall.half_width),

@@ -13,7 +13,8 @@ from scipy.integrate import solve_ivp
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
+from rockeom.thesis.checks import check
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, states, vanishes
 from rockeom.thesis.checks.engine import shipped
 from rockeom.thesis.equation import Equation
 
@@ -27,6 +28,15 @@ def right(number: str) -> sp.Expr:
     return relation.rhs
 
 
+def left(number: str) -> sp.Expr:
+    return EQUATIONS[number].right[0].lhs
+
+
+def _factors(expr: sp.Expr, side: int) -> sp.Expr:
+    """2-20 and 2-27 for the functions of the rotation and of the velocity."""
+    return expr.subs({left("2-19a"): right("2-20"), left("2-27"): right("2-27")})
+
+
 def smooth(expr: sp.Expr) -> sp.Expr:
     """2-20 for the delta, in the limit n -> 0."""
     with_n = expr.replace(sp.DiracDelta, lambda at: right("2-20").subs(th.x, at)).doit()
@@ -36,27 +46,11 @@ def smooth(expr: sp.Expr) -> sp.Expr:
 # --- 2-17 to 2-20
 
 
-def _product(equation: Equation, relation: sp.Eq) -> Findings:
-    made = relation.rhs.subs({EQUATIONS["2-19a"].right[0].lhs: right("2-20")})
-    made = made.subs(EQUATIONS["2-27"].right[0].lhs, right("2-27"))
-    yield vanishes("2-18 with 2-20 and 2-27, minus 2-28", made - right("2-28"), sp.expand)
-
-
 def _concentrated(equation: Equation, relation: sp.Eq) -> Findings:
     whole = sp.integrate(relation.rhs, (th.x, th.below_zero, th.above_zero))
     beside = sp.integrate(relation.rhs, (th.x, th.above_zero, 2 * th.above_zero))
     yield vanishes("integral over a passage minus the 1 of 2-22", whole - 1, sp.simplify)
     yield vanishes("integral next to the impact", beside)
-
-
-def _away_from_zero(equation: Equation, relation: sp.Eq) -> Findings:
-    for place in (W, -W):
-        value = smooth(relation.lhs.subs(th.x, place))
-        yield vanishes(f"limit of 2-20 at x = {'-' * (place != W)}w", value - relation.rhs)
-
-
-def _integral(equation: Equation, relation: sp.Eq) -> Findings:
-    yield vanishes("limit of the integral of 2-20", smooth(relation.lhs) - relation.rhs)
 
 
 def _normal(equation: Equation, relation: sp.Eq) -> Findings:
@@ -84,35 +78,27 @@ def _without_gravity(equation: Equation, *relations: sp.Eq) -> Findings:
     yield vanishes("2-17 minus 2-21a in the scale of the impact, as n -> 0", rest)
 
 
-def _differentials(equation: Equation, relation: sp.Eq) -> Findings:
+def differentials() -> dict:
     """dx' = x'' dt and dx = x' dt, with x'' = f g by 2-18 and 2-21a."""
-    acceleration = right("2-18").subs(EQUATIONS["2-19a"].right[0].lhs, right("2-19a"))
-    in_time = {th.dx_d: acceleration * th.dt, th.dx: th.x_d * th.dt}
-    rest = (relation.lhs - relation.rhs).subs(in_time)
-    yield vanishes("left minus right side with both differentials by dt", rest, sp.simplify)
+    acceleration = right("2-18").subs(left("2-19a"), right("2-19a"))
+    return {th.dx_d: acceleration * th.dt, th.dx: th.x_d * th.dt}
 
 
 # --- 2-22 to 2-27
 
 
 def _requirement(equation: Equation, before: sp.Eq, after: sp.Eq) -> Findings:
-    velocity, function = sp.Function("v")(th.x), EQUATIONS["2-23"].right[0].lhs.func
-    left = before.lhs.subs(th.x_df, velocity).diff(th.x)
-    left = left.subs(velocity.diff(th.x), right("2-20") * function(velocity) / velocity)
+    velocity, function = sp.Function("v")(th.x), left("2-23").func
+    growth = before.lhs.subs(th.x_df, velocity).diff(th.x)
+    growth = growth.subs(velocity.diff(th.x), right("2-20") * function(velocity) / velocity)
     with_n = before.rhs.replace(sp.DiracDelta, lambda at: right("2-20").subs(th.x, at))
     yield vanishes(
         "growth of the left integral along the passage minus that of the right one",
-        left - with_n.diff(th.x_f).subs(th.x_f, th.x),
+        growth - with_n.diff(th.x_f).subs(th.x_f, th.x),
         sp.simplify,
     )
     yield vanishes("the right integral minus what it shall be", smooth(before.rhs) - after.rhs)
     yield vanishes("the left integrals minus each other", before.lhs - after.lhs)
-
-
-def _power(equation: Equation, relation: sp.Eq) -> Findings:
-    (stated,) = EQUATIONS["2-24"].right
-    rest = th.x_d / relation.rhs - stated.lhs.function
-    yield vanishes("x'/g minus the integrand of 2-24", rest, sp.simplify)
 
 
 def factor_of_power(relation: sp.Eq, power: int) -> sp.Expr:
@@ -120,6 +106,10 @@ def factor_of_power(relation: sp.Eq, power: int) -> sp.Expr:
     start, end = (limit.subs(th.x_d0, W) for limit in relation.lhs.limits[0][1:])
     inside = (relation.lhs.function * th.K).subs(th.exponent, power)
     return sp.simplify(sp.integrate(inside, (th.x_d, start, end)) / relation.rhs)
+
+
+def factor_of_square(side: int) -> sp.Expr:
+    return factor_of_power(EQUATIONS["2-24"].right[0], 2)
 
 
 def _exit_velocity(equation: Equation, relation: sp.Eq) -> Findings:
@@ -131,13 +121,6 @@ def _exit_velocity(equation: Equation, relation: sp.Eq) -> Findings:
     slopes = [sp.diff(factor_of_power(relation, power), W) for power in (1, 2, 3)]
     holds = [slope == 0 for slope in slopes] == [False, True, False]
     yield Finding("K does not depend on the velocity for m = 2, of m = 1, 2, 3", slopes, holds)
-
-
-def _factor(equation: Equation, relation: sp.Eq) -> Findings:
-    (integral,) = EQUATIONS["2-24"].right
-    rest = sp.expand_log(relation.rhs - factor_of_power(integral, 2))
-    yield vanishes("K minus the integral of 2-24 for m = 2", rest, sp.simplify)
-    yield vanishes("exp(2 K) minus r", sp.exp(2 * relation.rhs) - th.r, sp.simplify)
 
 
 def velocity_left(g: sp.Expr, direction: int) -> sp.Expr:
@@ -152,34 +135,24 @@ def _passages(g: sp.Expr, sides: tuple[int, ...]) -> Findings:
         yield vanishes(what, velocity_left(g, direction) - sp.sqrt(th.r), sp.simplify)
 
 
-def _velocity_function(equation: Equation, *relations: sp.Eq) -> Findings:
-    yield from _passages(relations[0].rhs, equation.sides)
+def _velocity_function(equation: Equation, relation: sp.Eq) -> Findings:
+    yield from _passages(relation.rhs, equation.sides)
 
 
-def engine_force() -> sp.Expr:
+def engine_force(side: int = 1) -> sp.Expr:
     """Force of the impact in the equation of motion of the engine's block, on its right."""
-    motion = _engine_motion()
+    motion = engine_motion()
     return motion.subs(th.r, 1) - motion
 
 
 @cache
-def engine_impulse() -> sp.Expr:
-    """Its integral over the rotation."""
+def engine_impulse(side: int) -> sp.Expr:
+    """Its integral over the rotation; it knows the width of the tanh, as the limit does not."""
     return sp.integrate(sp.expand(engine_force()), (th.x, -sp.oo, sp.oo))
 
 
 def _same_force(rest: sp.Expr) -> sp.Expr:
     return sp.simplify(sp.expand_log(sp.expand(rest), force=True))
-
-
-def _force_over_rotation(equation: Equation, *relations: sp.Eq) -> Findings:
-    """The limit n -> 0 does not see the width of the tanh; the force of the engine has one."""
-    rest = relations[0].rhs - engine_impulse()
-    yield vanishes("2-27 minus the engine's force over x", rest, _same_force)
-
-
-def _engine_impact(equation: Equation, *relations: sp.Eq) -> Findings:
-    yield vanishes("2-28 minus the engine's force", relations[0].rhs - engine_force(), _same_force)
 
 
 def _force(equation: Equation, *relations: sp.Eq) -> Findings:
@@ -247,12 +220,7 @@ def peaks_with_impacts(release: float, count: int) -> list[float]:
     return [1 - np.sqrt(1 - 2 * energy) for energy in energies]
 
 
-def _in_one_equation(equation: Equation, relation: sp.Eq) -> Findings:
-    (pieces,) = EQUATIONS["2-17"].right
-    yield vanishes("its force minus 2-28", relation.rhs - right("2-28"), sp.expand)
-    for place in (W, -W):
-        left = sp.limit((relation.lhs - pieces.lhs).subs(th.x, place), th.n, 0, "+")
-        yield vanishes("limit of its left side minus that of 2-17", left)
+def _peaks(equation: Equation, relation: sp.Eq) -> Findings:
     exact = peaks_with_impacts(RELEASE, 3)
     narrow, twice = (Passages(relation, n).peaks(RELEASE, 3) for n in (WIDTH, 2 * WIDTH))
     for i, (peak, wide, reference) in enumerate(zip(narrow, twice, exact, strict=False), 1):
@@ -286,50 +254,67 @@ _NEGLECTED = (
 _BY_PASSAGE = "the velocity after one passage, dv/dx = delta(x) g(v)/v"
 
 
-def _engine(equation: Equation, relation: sp.Eq) -> Findings:
-    yield vanishes("2-29 minus engine", relation.lhs - relation.rhs - _engine_motion(), _same_force)
-
-
-def _engine_motion() -> sp.Expr:
+def engine_motion(side: int = 1) -> sp.Expr:
     """Left minus right side of the equation of motion of the engine's block, in our symbols."""
     model = shipped("dirac_delta_block")
     (rotation,) = model.coordinates
-    by_name = {p.name: p.symbol for p in model.parameters}
+    own = model.symbols
     motion = model.equations("right_core").residual[0]
     motion = (motion / model.parameters[0].symbol ** 2).subs({GROUND_X: 0, GROUND_Y: 0})
     put = {rotation.position: th.x, rotation.velocity: th.x_d, rotation.acceleration: th.x_dd}
-    put |= {by_name["regularisation"]: th.n, by_name["energy_ratio"]: th.r}
+    put |= {own["regularisation"]: th.n, own["energy_ratio"]: th.r}
     return motion.subs(put, simultaneous=True)
 
 
-CHECKS: Checks = {
-    "2-18": derived("with 2-20 and 2-27 it gives 2-28", _product),
+_DIFFERENTIALS = states(
+    0, "left minus right side by dt", lambda expr, side: expr.subs(differentials())
+)
+
+CHECKS: check.Checks = {
+    "2-18": derived(
+        "with 2-20 and 2-27 it gives 2-28", states(lambda side: right("2-28"), put=_factors)
+    ),
     "2-19a": derived("its integrals across and next to the impact", _concentrated),
-    "2-19b": derived("limit of 2-20 as n -> 0", _away_from_zero),
-    "2-19c": derived("limit of the integral of 2-20 as n -> 0", _integral),
+    "2-19b": derived(
+        "limit of 2-20 as n -> 0",
+        states(0, put=lambda expr, side: smooth(expr.subs(th.x, side * W))),
+    ),
+    "2-19c": derived(
+        "limit of the integral of 2-20 as n -> 0",
+        states(1, put=lambda expr, side: smooth(expr + 1)),
+    ),
     "2-20": derived("its integrals, and their limits as n -> 0", _normal),
     "2-21a": derived("2-17 in the scale of the impact, as n -> 0", _without_gravity),
-    "2-21b": derived("dx' = x'' dt with 2-18", _differentials),
-    "2-21c": derived("dx' = x'' dt with 2-18", _differentials),
-    "2-21d": derived("dx' = x'' dt and dx = x' dt with 2-18", _differentials),
+    "2-21b": derived("dx' = x'' dt with 2-18", _DIFFERENTIALS),
+    "2-21c": derived("dx' = x'' dt with 2-18", _DIFFERENTIALS),
+    "2-21d": derived("dx' = x'' dt and dx = x' dt with 2-18", _DIFFERENTIALS),
     "2-22": (
         derived(_BY_PASSAGE, _requirement),
         derived("2-29 integrated through an impact", _gravity_is_small, _NEGLECTED),
     ),
-    "2-23": derived("in 2-22 it gives 2-24", _power),
+    "2-23": derived("in 2-22 it gives 2-24", states(lambda side: th.x_d / left("2-24").function)),
     "2-24": derived("2-22 with 2-23, the kinetic energies in the ratio r", _exit_velocity),
-    "2-25": derived(_BY_PASSAGE, _factor),
+    "2-25": derived(_BY_PASSAGE, states(factor_of_square, reduce=_same_force)),
     "2-26": derived(_BY_PASSAGE, _velocity_function),
     "2-27": (
-        derived("integral over x of the force in dirac_delta_block", _force_over_rotation),
+        derived(
+            "integral over x of the force in dirac_delta_block",
+            states(engine_impulse, reduce=_same_force),
+        ),
         derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _velocity_function),
     ),
     "2-28": (
-        derived("the force in the equation of motion of dirac_delta_block", _engine_impact),
+        derived(
+            "the force in the equation of motion of dirac_delta_block",
+            states(engine_force, reduce=_same_force),
+        ),
         derived(f"{_BY_PASSAGE}, in both directions, n -> 0", _force),
     ),
     "2-29": (
-        derived("equation of motion by Lagrange's equations: dirac_delta_block", _engine),
-        derived("limits of its terms; integrated through three impacts", _in_one_equation),
+        derived(
+            "equation of motion by Lagrange's equations: dirac_delta_block",
+            states(engine_motion, reduce=_same_force),
+        ),
+        derived("peaks of Figure 2-16, integrated through three impacts", _peaks),
     ),
 }
