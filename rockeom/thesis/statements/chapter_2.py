@@ -227,11 +227,9 @@ def steady_orbits_of_both_kinds() -> st.Finding:
 def dots_of_the_bifurcation_diagram() -> st.Finding:
     """Between the exact doublings, near which a motion settles slowly."""
     _, *doublings = blocks.cascade().values[:4]
-    counts, ends = blocks.settled_counts(), [blocks.AMPLITUDES[0], *doublings]
-    at = [
-        int(np.sum(counts[(blocks.AMPLITUDES >= low) & (blocks.AMPLITUDES < high)] == dots))
-        for dots, low, high in zip((2, 4, 8), ends[:-1], ends[1:], strict=True)
-    ]
+    beta, counts = blocks.AMPLITUDES, blocks.settled_counts()
+    ends = zip((2, 4, 8), (beta[0], *doublings), doublings, strict=False)
+    at = [int(np.sum(counts[(beta >= low) & (beta < high)] == dots)) for dots, low, high in ends]
     two, four, eight = doublings
     return st.finding(
         min(at),
