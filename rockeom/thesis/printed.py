@@ -1,7 +1,7 @@
 """Tables and lists of numbers of the thesis, as printed, and the specimens of its tests.
 
-What is printed stands in text files, each row with its place in the thesis; `data/tables.toml`
-lists them with titles and remarks. Units of the tables are those of the page; the specimens are in
+The printed cells are in text files, each row with its place in the thesis; `data/tables.toml` lists
+the files with titles and remarks. Units of the tables are those of the page; the specimens are in
 SI units.
 """
 
@@ -25,11 +25,6 @@ def number(cell: Cell) -> float:
     return cell
 
 
-def name_of(column: str) -> str:
-    """Name of a column without its unit."""
-    return column.partition(" [")[0]
-
-
 @dataclass(frozen=True)
 class PrintedTable:
     """Table of the thesis, or a list of numbers under a figure.
@@ -45,13 +40,13 @@ class PrintedTable:
     cells : tuple of tuple of str
         Cells of each row as printed, with all digits.
     places : tuple of str, optional
-        Where each row stands: the section, and the line of the thesis's text.
+        Place of each row: the section, and the line of the thesis's text.
     scanned : tuple of str, optional
-        What each row has in that text where it is damaged.
+        Cells of each row as that text has them, where it is damaged.
     measured : tuple of str, optional
         Names of the columns that were measured and that no formula gives.
     computed_columns : tuple of str, optional
-        Columns that are computed beside them; the thesis does not print them.
+        Further columns, which the thesis does not print.
     remarks : tuple of str, optional
         Errors of the table, facts that the text leaves open, and the quantities from which it is
         computed.
@@ -74,6 +69,11 @@ class PrintedTable:
                     f"table {self.number}: the row {row} has {len(row)} cells for "
                     f"{len(self.columns)} columns"
                 )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the columns without units."""
+        return tuple(column.partition(" [")[0] for column in self.columns)
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
@@ -102,7 +102,7 @@ class PrintedTable:
         KeyError
             If there is none.
         """
-        names = list(map(name_of, self.columns))
+        names = self.names
         if name not in names:
             raise KeyError(f"table {self.number} has no column {name!r}, but {', '.join(names)}")
         return tuple(row[names.index(name)] for row in self.rows)

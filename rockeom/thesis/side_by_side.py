@@ -66,8 +66,8 @@ def side_by_side(number: str) -> tuple[TextTable, ...]:
 def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> TextTable:
     """A printed table and its rows computed again, the columns in pairs.
 
-    A column that was measured, or that the computation starts from, stands alone; so does one that
-    is computed and not printed.
+    A measured column has no partner, nor has one that the computation starts from or repeats. The
+    computed columns that the thesis does not print come last.
     """
     again = list(zip(*rows, strict=True))
     columns: list[tuple[str, Iterable[str]]] = []

@@ -23,7 +23,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.simulation.response import Response
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis import printed, shaken
-from rockeom.thesis.printed import TABLES, Cell, PrintedTable, Row, name_of, number
+from rockeom.thesis.printed import TABLES, Cell, PrintedTable, Row, number
 
 __all__ = ["TABLES", "PrintedTable", "computed"]
 
@@ -58,7 +58,7 @@ def computed(number: str) -> tuple[Row, ...]:
     if number not in _COMPUTE:
         raise KeyError(f"no table {number!r}; there are {', '.join(_COMPUTE)}")
     table = TABLES[number]
-    columns = {name: table.column(name) for name in map(name_of, table.columns)}
+    columns = {name: table.column(name) for name in table.names}
     columns |= {name: (None,) * len(table.rows) for name in table.measured}
     columns |= {
         name: tuple(x if x is None or isinstance(x, str) else float(x) for x in cells)

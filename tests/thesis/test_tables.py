@@ -14,7 +14,7 @@ import pytest
 import rockeom as rk
 from rockeom.analysis import formulas, identification
 from rockeom.thesis import shaken
-from rockeom.thesis.printed import BLOCK, COLUMN, GAUGE, name_of
+from rockeom.thesis.printed import BLOCK, COLUMN, GAUGE
 from rockeom.thesis.tables import TABLES, PrintedTable, computed
 from tests.refusals import told
 
@@ -114,8 +114,8 @@ def test_printed_numbers_stand_in_the_text_of_the_thesis_in_their_order(number):
         last, at = line, at if line == last else 0
         damage = damage_of(table, i)
         garbled += len(damage)
-        for column, cell in zip(table.columns, row, strict=True):
-            scanned = damage.get(name_of(column), cell)
+        for column, name, cell in zip(table.columns, table.names, row, strict=True):
+            scanned = damage.get(name, cell)
             for word in [scanned] if "[" in column else re.findall(r"[\d.]+", cell):
                 pattern = rf"(?<![-\d.]){re.escape(word)}(?![\dE.])"
                 hit = re.compile(pattern).search(lines[line - 1], at)
@@ -124,26 +124,22 @@ def test_printed_numbers_stand_in_the_text_of_the_thesis_in_their_order(number):
     assert garbled == GARBLED.get(number, 0)
 
 
-def test_damaged_cells_are_put_back_by_what_the_scan_has_of_them():
-    """A slash stands for each 7; Figure 5-6 has the cells of two rows in another order."""
-    table = TABLES["A-1"]
-    names = [name_of(column) for column in table.columns]
-    repaired = [i for i, row in enumerate(table.cells) if row[names.index("reading")] == "repaired"]
+def test_damaged_cells_are_put_back_by_the_scan():
+    """A slash is read as 7; Figure 5-6 has the cells of two rows in another order."""
+    table, figure = TABLES["A-1"], TABLES["Figure 5-6"]
+    repaired = [i for i, word in enumerate(table.column("reading")) if word == "repaired"]
     assert len(repaired) == 5
     for i in repaired:
         for name, scan in damage_of(table, i).items():
-            assert table.cells[i][names.index(name)] == scan.replace("/", "7")
-    figure = TABLES["Figure 5-6"]
+            assert table.cells[i][table.names.index(name)] == scan.replace("/", "7")
     for i in (0, 8):
         assert sorted(damage_of(figure, i).values()) == sorted(figure.cells[i])
 
 
 def damage_of(table: PrintedTable, row: int) -> dict[str, str]:
-    """What the scan has of a row, by the name of the cell: {"time": "1./100"}."""
-    names = sorted(map(name_of, table.columns), key=len, reverse=True)
-    parts = filter(None, table.scanned[row].split("; "))
-    pairs = ((next(n for n in names if part.startswith(f"{n} ")), part) for part in parts)
-    return {name: part.removeprefix(f"{name} ") for name, part in pairs}
+    """Cells of a row in the scan, by the name of the column: {"time": "1./100"}."""
+    names = "|".join(sorted(map(re.escape, table.names), key=len, reverse=True))
+    return dict(re.findall(rf"({names}) (.+?)(?:; |$)", table.scanned[row]))
 
 
 # --- tables

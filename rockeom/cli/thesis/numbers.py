@@ -5,4 +5,4 @@ from rockeom.thesis.figures import FIGURES
 from rockeom.thesis.tables import TABLES
 
 NUMBERS = {"equations": EQUATIONS, "verify": EQUATIONS, "figure": FIGURES, "tables": TABLES}
-"""Of equations, figures and tables, by the command."""
+"""Numbers of equations, figures and tables, by the command."""
