@@ -6,7 +6,6 @@ import itertools
 import math
 import re
 import unicodedata
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +15,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.thesis import shaken
 from rockeom.thesis.printed import BLOCK, COLUMN, GAUGE
 from rockeom.thesis.tables import TABLES, PrintedTable, computed
+from tests import shared
 from tests.refusals import told
 
 needs_records = pytest.mark.skipif(
@@ -99,16 +99,14 @@ def test_printed_cells_and_units_are_those_that_were_compared_with_the_thesis(
     assert hashlib.sha256(rows.encode()).hexdigest()[:12] == digest
 
 
-TEXT = Path(__file__).parents[3] / "shared" / "thesis.txt"
 GARBLED = {"4-3": 1, "A-1": 22, "Figure 5-6": 6}
 """How many cells the text has otherwise than the table: its scan is damaged there."""
 
 
-@pytest.mark.skipif(not TEXT.exists(), reason="the thesis's text is not beside the project")
 @pytest.mark.parametrize("number", TABLES)
 def test_printed_numbers_stand_in_the_text_of_the_thesis_in_their_order(number):
     table, garbled, last, at = TABLES[number], 0, 0, 0
-    lines = unicodedata.normalize("NFKC", TEXT.read_text(encoding="utf-8")).split("\n")
+    lines = unicodedata.normalize("NFKC", shared.path("thesis.txt").read_text("utf-8")).split("\n")
     for i, (row, place) in enumerate(zip(table.cells, table.places, strict=True)):
         line = int(place.rpartition(" ")[2])
         last, at = line, at if line == last else 0
