@@ -153,40 +153,31 @@ def _scaled_motions(table: PrintedTable) -> Columns:
 
 
 def _tendon_forces(table: PrintedTable) -> Columns:
-    forces = []
-    for run, displacement in table.by_row("largest displacement").items():
-        before = 1e3 * table.cell(run, "tendon force before")
-        wall = analysis.Wall.thesis(initial_force=before)
-        forces.append(wall.tendon_force(number(displacement) / 1e3) / 1e3)
-    return {"largest tendon force": forces}
-
-
-def _by_4_31(run: str) -> Response:
-    return shaken.oscillator_run(run, rk.EnergyRatioAtSpeed.equation_4_31())
+    displacements = table.by_row("largest displacement").items()
+    forces = (shaken.wall_of(str(run)).tendon_force(number(x) / 1e3) for run, x in displacements)
+    return {"largest tendon force": [force / 1e3 for force in forces]}
 
 
 def _shaken_walls(table: PrintedTable) -> Columns:
-    law = rk.EnergyRatioAtSpeed.equation_4_38()
-    substitute_gravity = partial(shaken.substitute_gravity_run, law=law)
-    return _peaks(table, {"SDOF": _by_4_31, "MHSG": substitute_gravity})
-
-
-def _shaken_walls_with_more_prestress(table: PrintedTable) -> Columns:
-    constant = partial(shaken.oscillator_run, law=0.852)
-    return _peaks(table, {"r by 4-31": _by_4_31, "constant r": constant})
-
-
-def _peaks(table: PrintedTable, simulations: Mapping[str, Callable[[str], Response]]) -> Columns:
-    """The measured displacement, and three columns of each simulation where there is a record."""
+    """The measured displacement, and three columns of each model where there is a record."""
     runs = table.column("run")
     columns = {"displacement": _measured_displacements(runs)}
-    for name, simulate in simulations.items():
-        responses = [_if_recorded(simulate, str(run)) for run in runs]
-        peaks = [r if r is None else shaken.peaks_of(r) for r in responses]
-        for i, (quantity, factor) in enumerate(_PEAKS.items()):
-            columns[f"{quantity}, {name}"] = [peak and factor * peak[i] for peak in peaks]
+    for name, (simulate, law) in _MODELS.items():
+        if f"displacement, {name}" in table.names:
+            responses = [_if_recorded(partial(simulate, run, law)) for run in runs]
+            peaks = [r if r is None else shaken.peaks_of(r) for r in responses]
+            for i, (quantity, factor) in enumerate(_PEAKS.items()):
+                columns[f"{quantity}, {name}"] = [peak and factor * peak[i] for peak in peaks]
     return columns
 
+
+_MODELS: Mapping[str, tuple[Callable[..., Response], Any]] = {
+    "SDOF": (shaken.oscillator_run, rk.EnergyRatioAtSpeed.equation_4_31()),
+    "MHSG": (shaken.substitute_gravity_run, rk.EnergyRatioAtSpeed.equation_4_38()),
+    "r by 4-31": (shaken.oscillator_run, rk.EnergyRatioAtSpeed.equation_4_31()),
+    "constant r": (shaken.oscillator_run, 0.852),
+}
+"""Simulation of a run and restitution law, by the names of Tables 4-3 and 4-5."""
 
 _PEAKS = {"displacement": 1e3, "velocity": 1.0, "acceleration": 1.0}
 """Units of a page [mm, m/s, m/s2] in one of `shaken.Peaks`."""
@@ -197,10 +188,10 @@ def _measured_displacements(runs: Iterable[Cell]) -> list[Cell]:
     return [measured[run] for run in runs]
 
 
-def _if_recorded(simulate: Callable[[str], Response], run: str) -> Response | None:
+def _if_recorded(simulate: Callable[[], Response]) -> Response | None:
     """The response of a simulation; None where no record of the run is at hand."""
     try:
-        return simulate(run)
+        return simulate()
     except rk.InputError:
         return None
 
@@ -258,7 +249,7 @@ def _uplift_of_column(table: PrintedTable) -> Columns:
 
 def _peak_of_column(run: str, model: rk.Structure) -> float | None:
     """Displacement of a shaken column [mm], None where its record is not at hand."""
-    response = _if_recorded(partial(shaken.column_run, structure=model, r=0.74), run)
+    response = _if_recorded(partial(shaken.column_run, run, model, 0.74))
     return None if response is None else 1e3 * abs(response.extremes("displacement").peak)
 
 
@@ -323,7 +314,7 @@ _COMPUTE: Mapping[str, Callable[[PrintedTable], Columns]] = MappingProxyType(
         "4-2": _tendon_forces,
         "4-3": _shaken_walls,
         "4-4": _more_prestress,
-        "4-5": _shaken_walls_with_more_prestress,
+        "4-5": _shaken_walls,
         "5-1": _uplift_of_column,
         "A-1": _of_displacement,
         "Figure 3-3": _release_of_block,
