@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import rockeom as rk
-from rockeom.analysis import formulas
+from rockeom.analysis import design, formulas
 from rockeom.analysis.sweeps import STANDS
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis.catalogue import EQUATIONS
@@ -411,3 +411,73 @@ def damping_suggested_for_the_walls() -> st.Finding:
 def damping_measured_on_the_walls() -> st.Finding:
     measured = TABLE_2_3.numbers("measured damping")
     return st.finding(measured, " and ".join(f"{x:g} %" for x in measured))
+
+
+_RECORDS = ("El Centro 1940 180", "Pacoima 254", "Sylmar SYL 032")
+
+
+def estimates_of_fema_356() -> st.Finding:
+    """A block of 1 m by 4 m, under each record with peaks of 1.5 and 2 times that of uplift."""
+    block = rk.RigidBlock(half_width=0.5, half_height=2.0)
+    uplift = float(formulas.uplift_acceleration(block.half_width, block.half_height))
+    motions = [
+        rk.GroundMotion.from_library(name).scaled_to(peak=factor * uplift)
+        for name in _RECORDS
+        for factor in (1.5, 2.0)
+    ]
+    compared = design.fema_356_against_integration(block, motions)
+    own = np.abs(compared.rotation) / block.alpha
+    estimated = [
+        {"overturned": 1.0, "converged": one.rotation / block.alpha}.get(one.outcome, math.nan)
+        for one in compared.fema
+    ]
+    over = int(np.sum(estimated > 2 * own))
+    said = "; ".join(
+        f"{'none' if math.isnan(x) else f'{x:.2f}'} for {y:.2f}"
+        for x, y in zip(estimated, own, strict=True)
+    )
+    return st.finding(
+        over,
+        f"in kind, {over} of six estimates are twice the integrated rotation or more, in "
+        f"units of alpha {said}",
+    )
+
+
+def pulses_a_thousandth_apart() -> st.Finding:
+    """Pulses on both sides of each peak at which the fate of the block of Figure 2-13 changes."""
+    different = 0
+    for amplitude in blocks.fates_of_2_13()["amplitude"].values:
+        pair = [blocks.pulsed(8.0, amplitude * x, 2.192, 0.954) for x in (0.9995, 1.0005)]
+        different += (pair[0].outcome == "overturned") != (pair[1].outcome == "overturned")
+    return st.finding(different, f"beside {different} peaks one of two pulses overturns the block")
+
+
+def impulses_with_smaller_n() -> st.Finding:
+    """Largest acceleration near the first impact, and time spent within n of upright, by n."""
+    heights, times = [], []
+    for n in (2e-3, 1e-3):
+        run = forces.released(n, 2.0)
+        t = np.linspace(0.0, run.duration, 400_001)
+        state = run.at(t)
+        heights.append(float(np.abs(np.gradient(state["x_dot"], t)).max()))
+        times.append(float(np.mean(np.abs(state["x"]) < n)))
+    ratios = [heights[1] / heights[0], times[0] / times[1]]
+    return st.finding(
+        ratios,
+        f"with half of n the acceleration reaches {ratios[0]:.2f} times as much, and the block is "
+        f"within n of upright {1 / ratios[1]:.2f} times as long",
+    )
+
+
+def blocks_of_all_sizes() -> st.Finding:
+    """Slender blocks of one slenderness and of radii of 1 and 9 m under the same pulse in p t."""
+    rotations = []
+    for radius in (1.0, 9.0):
+        block = rk.SlenderBlock(radius=radius, alpha=0.2)
+        p = math.sqrt(0.75 * STANDARD_GRAVITY / radius)
+        pulse = rk.GroundMotion.single_sine(2.2, 6.0 / p, duration=24.0 / p)
+        run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.9))
+        rotations.append(run.at(np.linspace(0.0, 20.0, 401) / p)["theta"] / 0.2)
+    small, large = rotations
+    apart = float(np.abs(large - small).max())
+    return st.finding(apart, f"{apart:.0e} alpha apart, at most {np.abs(small).max():.2f} alpha")

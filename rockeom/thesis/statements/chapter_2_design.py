@@ -117,8 +117,11 @@ def period_term_of_the_flag() -> st.Finding:
 def error_without_the_period() -> st.Finding:
     far = _far_from_one(1.0)
     flag = far.pop("flag")
-    other = max(far, key=lambda name: far[name])
-    return st.finding(flag / far[other], f"up to {flag:.2f}, and {far[other]:.2f} for {other}")
+    worse = [name for name, x in far.items() if x >= flag]
+    return st.finding(
+        len(far) - len(worse),
+        f"up to {flag:.2f} is dropped for a flag, as much only for {', '.join(worse)}",
+    )
 
 
 # --- references

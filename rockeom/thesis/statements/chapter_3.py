@@ -265,3 +265,59 @@ def restitution_of_the_block() -> st.Finding:
         R_HOUSNER,
         f"{R_HOUSNER:.3f} at {1 / math.tan(BLOCK.alpha):.2f}; {five:.3f} belongs to 5",
     )
+
+
+def aspect_ratio() -> st.Finding:
+    ratio = 1 / math.tan(BLOCK.alpha)
+    return st.finding(ratio, f"{ratio:.2f} of the centroid's height and half of the width")
+
+
+def share_below_housner() -> st.Finding:
+    r = measured_impacts().energy_ratio
+    share = 100 * float(np.mean(r < R_HOUSNER))
+    return st.finding(share, f"{share:.0f} % of the six printed are below {R_HOUSNER:.3f}")
+
+
+_BUNCHES = ((0.73, 0.76), (0.8, 0.86), (0.9, 0.95))
+
+
+def bunches_of_restitution() -> st.Finding:
+    r = np.round(measured_impacts().energy_ratio, 2)
+    inside = [int(np.sum((r >= low) & (r <= high))) for low, high in _BUNCHES]
+    return st.finding(
+        sum(inside), f"{inside[0]}, {inside[1]} and {inside[2]} of the six printed lie in them"
+    )
+
+
+def restitution_against_the_speed() -> st.Finding:
+    slopes = [
+        float(np.polyfit(np.abs(of.speed), of.energy_ratio, 1)[0])
+        for of in map(measured_impacts().at_foot, ("left", "right"))
+    ]
+    return st.finding(
+        [-slopes[0], slopes[1]],
+        f"slopes of {slopes[0]:+.2f} and {slopes[1]:+.2f} s/rad of three impacts on each foot",
+    )
+
+
+def loss_against_the_impact_force() -> st.Finding:
+    return st.unknown("no impact force is printed but the peaks of one run, Table 3-1")
+
+
+def matching_with_one_ratio() -> st.Finding:
+    """Largest error of six peaks, of the first, or of their times, of a half-cycle, by r."""
+    time, rotation = figures.points()
+    peak, at = np.abs(rotation[::2]), time[::2] - figures.release_delay()
+    worst = {}
+    for r in np.arange(0.76, 0.925, 0.01).tolist():
+        own = identification.swings(figures.housner(r, 14.0), "theta", len(peak))
+        sizes = np.abs(np.abs(own.peak) - peak)[1:] / peak[0]
+        late = np.abs(own.peak_time - at)[1:] / np.diff(at).mean()
+        worst[r] = 100 * float(max(sizes.max(), late.max()))
+    best = min(worst, key=lambda r: worst[r])
+    return st.finding(worst[best], f"{worst[best]:.0f} % with the best one, r = {best:.2f}")
+
+
+def growth_of_the_impact_force() -> st.Finding:
+    growth = 100 * _slope(impact_forces().magnitude)
+    return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")
