@@ -6,7 +6,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from rockeom.analysis import design, formulas
-from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_2_design as figures
 from rockeom.thesis.statements import statement as st
 
@@ -125,22 +124,6 @@ def error_without_the_period() -> st.Finding:
 
 
 # --- references
-
-
-def equation_of_the_sum_of_damping() -> st.Finding:
-    names = {symbol.name for symbol in EQUATIONS["2-30"].symbols}
-    return st.finding(
-        any("xi" in name for name in names),
-        f"2-30 is the {EQUATIONS['2-30'].meaning}; 2-31 the {EQUATIONS['2-31'].meaning}",
-    )
-
-
-def equation_that_was_calibrated() -> st.Finding:
-    names = {symbol.name for symbol in EQUATIONS["2-31"].symbols}
-    return st.finding(
-        bool(names & set("abcdef")),
-        f"2-31 is the {EQUATIONS['2-31'].meaning}, 2-33 the {EQUATIONS['2-33'].meaning}",
-    )
 
 
 def odd_factors_of_table_2_4() -> st.Finding:

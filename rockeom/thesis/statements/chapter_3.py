@@ -5,7 +5,6 @@ import math
 import numpy as np
 
 from rockeom.analysis import formulas, identification
-from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_3 as figures
 from rockeom.thesis.figures.chapter_3 import BLOCK, PRINTED_HOUSNER, R_HOUSNER, measured_impacts
 from rockeom.thesis.figures.chapter_3_forces import impact_forces
@@ -172,13 +171,8 @@ def _slope(values: np.ndarray) -> float:
     return float(np.polyval(line, 0.8) / np.polyval(line, 0.2) - 1)
 
 
-def vertical_impact_forces() -> st.Finding:
-    growth = 100 * _slope(impact_forces().vertical)
-    return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")
-
-
-def horizontal_impact_forces() -> st.Finding:
-    growth = 100 * _slope(impact_forces().horizontal)
+def growth_of_impact_force(component: str) -> st.Finding:
+    growth = 100 * _slope(getattr(impact_forces(), component))
     return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")
 
 
@@ -227,21 +221,10 @@ def range_of_restitution() -> st.Finding:
     return st.finding(r, f"{r.min():.3f} to {r.max():.3f}, the six printed")
 
 
-def fit_of_3_17() -> st.Finding:
-    left = measured_impacts().at_foot("left")
-    off = float(np.abs(left.energy_change - fitted_change("3-17", left.speed)).max())
-    return st.finding(off, f"off by {off:.2f} J at most where the left foot lands")
-
-
-def fit_of_3_18() -> st.Finding:
-    right = measured_impacts().at_foot("right")
-    off, other = (
-        float(np.abs(right.energy_change - fitted_change(number, right.speed)).max())
-        for number in ("3-18", "3-17")
-    )
-    return st.finding(
-        off, f"off by {off:.2f} J at most where the right foot lands, 3-17 by {other:.2f}"
-    )
+def fit_of_losses(number: str, foot: str) -> st.Finding:
+    of = measured_impacts().at_foot(foot)
+    off = float(np.abs(of.energy_change - fitted_change(number, of.speed)).max())
+    return st.finding(off, f"off by {off:.2f} J at most where the {foot} foot lands")
 
 
 # --- errors of the text
@@ -250,13 +233,6 @@ def fit_of_3_18() -> st.Finding:
 def rise_of_the_horizontal_force() -> st.Finding:
     ratio = TABLE_3_1.cell("horizontal", "measured peak") / TABLE_3_1.cell("horizontal", "baseline")
     return st.finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
-
-
-def equation_of_the_vertical_force() -> st.Finding:
-    meanings = [EQUATIONS[n].meaning for n in ("3-11", "3-12")]
-    return st.finding(
-        "vertical" in meanings[0], f"3-11 is the {meanings[0]}; 3-12 the {meanings[1]}"
-    )
 
 
 def restitution_of_the_block() -> st.Finding:
@@ -316,8 +292,3 @@ def matching_with_one_ratio() -> st.Finding:
         worst[r] = 100 * float(max(sizes.max(), late.max()))
     best = min(worst, key=lambda r: worst[r])
     return st.finding(worst[best], f"{worst[best]:.0f} % with the best one, r = {best:.2f}")
-
-
-def growth_of_the_impact_force() -> st.Finding:
-    growth = 100 * _slope(impact_forces().magnitude)
-    return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")

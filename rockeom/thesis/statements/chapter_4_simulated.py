@@ -7,14 +7,13 @@ import numpy as np
 
 from rockeom.analysis import Wall, identification
 from rockeom.motion import STANDARD_GRAVITY
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, chapter_4_simulated as figures
+from rockeom.thesis.figures import chapter_4_simulated as figures
 from rockeom.thesis.free_vibration_table import (
     WALL,
     ModelPeaks,
     free_vibration_peaks,
     measured_peaks,
 )
-from rockeom.thesis.printed import TABLE_4_3
 from rockeom.thesis.statements import statement as st
 
 # --- 4.8.1 the equivalent oscillator
@@ -109,12 +108,6 @@ def acceleration_that_starts_the_wall() -> st.Finding:
     return st.finding(start, f"{start:.2f} m/s2")
 
 
-def figure_of_the_range_of_restitution() -> st.Finding:
-    return st.finding(
-        "4-49" in FIGURES, f"4-39: {FIGURES['4-39'].title}; of 4-49: {NOT_DRAWN['4-49']}"
-    )
-
-
 # --- 4.8.3 sensitivity
 
 
@@ -179,19 +172,6 @@ def effect_of_n_on_the_motion() -> st.Finding:
 def weight_of_the_wall() -> st.Finding:
     weight = WALL.mass * STANDARD_GRAVITY / 1e3
     return st.finding(weight, f"{weight:.2f} kN for {WALL.mass:g} kg")
-
-
-def rocking_runs_of_table_4_3() -> st.Finding:
-    ratios = {
-        f"run {run}, {model}": abs(
-            TABLE_4_3.cell(run, f"displacement, {model}") / TABLE_4_3.cell(run, "displacement")
-        )
-        for run in "34"
-        for model in ("SDOF", "MHSG")
-    }
-    return st.finding(
-        list(ratios.values()), "; ".join(f"{name} {x:.2f}" for name, x in ratios.items())
-    )
 
 
 def tracking_of_both_procedures() -> st.Finding:

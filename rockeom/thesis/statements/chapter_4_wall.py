@@ -24,11 +24,6 @@ def largest_drift() -> st.Finding:
     )
 
 
-def residual_displacement() -> st.Finding:
-    left = max(map(abs, TABLE_4_2.numbers("change of alignment")))
-    return st.finding(left, f"{left:.2f} mm at most")
-
-
 def change_of_the_tendon_force() -> st.Finding:
     before, after = (TABLE_4_2.numbers(f"tendon force {when}") for when in ("before", "after"))
     change = 100 * float(np.abs(np.array(after) / before - 1).max())
@@ -83,11 +78,6 @@ def rupture_of_the_tendon() -> st.Finding:
 def yield_of_the_tendon() -> st.Finding:
     force = TENDON["yield"] * TENDON["section"] / 1e3
     return st.finding(force, f"{force:.1f} kN")
-
-
-def largest_tendon_force() -> st.Finding:
-    largest = max(TABLE_4_2.numbers("largest tendon force"))
-    return st.finding(largest, f"{largest:.1f} kN at most")
 
 
 def unbonded_length() -> st.Finding:
