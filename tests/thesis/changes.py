@@ -1,4 +1,4 @@
-"""python -m tests.thesis.changes [--seed N] [--number N]: small changes of the thesis, drawn at random.
+"""Small changes of the thesis, drawn at random: python -m tests.thesis.changes [--seed N].
 
 Each change is one that a slip of the hand could make, of one of five classes: a printed number, a
 unit, a threshold, a quotation, a verdict. It is made in a copy of the project, whose tests of the
@@ -23,8 +23,11 @@ from tests.shared import FOLDER
 PROJECT = Path(__file__).resolve().parent.parent.parent
 THESIS = PROJECT / "rockeom" / "thesis"
 TESTS = ("test_pins.py", "test_tables.py", "test_equations.py", "test_statements.py")
-COLUMNS = "place figure quotation scan limits unit why evidence lost correction function".split()
-"""Columns of the table of statements."""
+COLUMNS = (
+    "place", "figure", "quotation", "scan", "limits", "unit", "why", "evidence", "lost",
+    "correction",
+)  # fmt: skip
+"""Columns of the table of statements that may change."""
 
 
 class Change(NamedTuple):
@@ -74,7 +77,9 @@ def another_digit(piece: str, draw: random.Random) -> str:
 
 
 def another_unit(piece: str, draw: random.Random) -> str:
-    return draw.choice([x for x in ("mm", "m", "kN", "N", "rad", "s", "Hz", "%", "J") if x != piece])
+    return draw.choice(
+        [x for x in ("mm", "m", "kN", "N", "rad", "s", "Hz", "%", "J") if x != piece]
+    )
 
 
 def another_letter(piece: str, draw: random.Random) -> str:
@@ -152,14 +157,17 @@ def noticed(change: Change, copy: Path) -> bool:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--seed", type=int, default=54)
     parser.add_argument("--number", type=int, default=200)
     asked = parser.parse_args()
     seen: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "project"
-        kept = shutil.ignore_patterns(".git", ".venv", "__pycache__", "docs", "benchmarks", ".*cache")
+        copy.mkdir()
+        kept = shutil.ignore_patterns(
+            ".git", ".venv", "__pycache__", "docs", "benchmarks", ".*cache"
+        )
         shutil.copytree(PROJECT, copy, ignore=kept)
         (Path(folder) / "shared").symlink_to(FOLDER)
         for change in drawn(asked.seed, asked.number):
