@@ -247,8 +247,8 @@ def judgements() -> tuple[Judgement, ...]:
 def statements() -> str:
     """The statements with a number by chapter, and how many have each verdict."""
     kinds = {
-        "statements": [one for one in judgements() if not one.statement.slip],
-        "errors of the text": [one for one in judgements() if one.statement.slip],
+        "statements": [one for one in judgements() if not one.statement.correction],
+        "errors of the text": [one for one in judgements() if one.statement.correction],
     }
     rows = [
         [kind, *(str(n) for n in counts(of_kind).values()), str(len(of_kind))]
@@ -269,7 +269,7 @@ def _judged(judged: Iterable[Judgement], sources: bool = False) -> str:
         where = plain(of.place)
         if sources and of.figure:
             where += f" ([Figure {of.figure}](figures.md#figure-{of.figure.lower()}))"
-        cells = (of.words, str(of.limits), one.words, one.verdict.value, *[one.source] * sources)
+        cells = (of.words, str(of.limits), one.words, one.conclusion, *[one.source] * sources)
         rows.append([where, *map(plain, cells)])
     return table(head, rows)
 

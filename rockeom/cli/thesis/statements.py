@@ -52,7 +52,7 @@ def in_words(one: statements.Judgement) -> str:
         f"allows: {of.limits}",
         f"found: {one.words}",
         f"compared with: {one.source}",
-        f"{'an error of the text: ' if of.slip else ''}{one.verdict.value}",
+        one.conclusion,
     )
     indents = ("", *["  "] * (len(lines) - 1))
     return "\n".join(

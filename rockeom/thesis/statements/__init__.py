@@ -7,27 +7,23 @@
     statements.select("4.9.1", "4-20")   # of a section, a table or a figure
     statements.counts(one.judged() for one in statements.STATEMENTS)   # of all, in a minute
 
-The rule is in `rockeom.thesis.statements.statement`; a module here holds the statements of one
-subject, and `STATEMENTS` finds them by themselves. The equations have verdicts of their own, in
+The statements are rows of `table.csv`: place, figure, quotation, limits, evidence, and the function
+that finds the number. The modules here hold these functions, by subject; the rule that judges is in
+`rockeom.thesis.statements.statement`. The equations have verdicts of their own, in
 `rockeom.thesis.verify`.
 """
 
-import pkgutil
+import csv
 from collections import Counter
 from collections.abc import Iterable
-from importlib import import_module
+from importlib.resources import files
 
-from rockeom.thesis.statements.statement import Judgement, Register, Statement, Verdict
+from rockeom.thesis.statements.statement import Judgement, Statement, Verdict, from_row
 
 __all__ = ["STATEMENTS", "Judgement", "Statement", "Verdict", "counts", "of_figure", "select"]
 
-STATEMENTS: tuple[Statement, ...] = tuple(
-    statement
-    for one in sorted(pkgutil.iter_modules(__path__), key=lambda one: one.name)
-    for register in vars(import_module(f"{__name__}.{one.name}")).values()
-    if isinstance(register, Register)
-    for statement in register.statements
-)
+_TABLE = files(__name__).joinpath("table.csv").read_text(encoding="utf-8")
+STATEMENTS: tuple[Statement, ...] = tuple(map(from_row, csv.DictReader(_TABLE.splitlines())))
 """All statements, by chapter."""
 
 

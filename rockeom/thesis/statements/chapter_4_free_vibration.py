@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from scipy.integrate import trapezoid
 from scipy.special import erf
 
 from rockeom.analysis import identification
@@ -11,12 +12,8 @@ from rockeom.thesis.figures.chapter_4_wall import GAUGE, legible
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.statements import statement as st
+from rockeom.thesis.statements.chapter_4_wall import fits_of_quarters
 from rockeom.thesis.wall_tests import quarter_period_fit
-
-statement = st.Register()
-
-_TABLE = st.data("Table A-1")
-_RECORD = "the record between the rows of Table A-1 is not printed"
 
 
 def _measured() -> identification.FreeVibration:
@@ -26,12 +23,6 @@ def _measured() -> identification.FreeVibration:
 # --- 4.5.1 the record
 
 
-@statement(
-    "4.5.1", "the effect of reducing the toe compression by up to 26%",
-    st.at_most(26.5, "%", why="half of the last digit"),
-    st.closed_form("4-3 and 4-4"), st.data("Table A-1, rotation centre at the first 13 peaks"),
-    figure="4-11",
-)  # fmt: skip
 def correction_of_the_toe() -> st.Finding:
     taken = 100 * GAUGE / np.asarray(_measured().centre_from_edge)[figures.peaks()]
     return st.finding(
@@ -39,23 +30,11 @@ def correction_of_the_toe() -> st.Finding:
     )
 
 
-@statement(
-    "4.5.1", "the centre of rotation remains relatively stationary once rocking is initiated",
-    st.at_most(0.1 * 2e3 * WALL.half_width, "mm", why="relatively: 10 % of the wall's width"),
-    st.data("Table A-1, rotation centre at the first 9 peaks"),
-    figure="4-11",
-)  # fmt: skip
 def travel_of_the_centre_while_rocking() -> st.Finding:
     x = 1e3 * np.asarray(_measured().centre_from_edge)[figures.peaks()[:9]]
     return st.finding(float(np.ptp(x)), f"from {x.min():.0f} to {x.max():.0f} mm")
 
 
-@statement(
-    "4.5.1", "gradually migrates from the outer edge back towards the centreline",
-    st.at_least(1.1, why="last legible peaks over the first nine: 10 % or more from the edge"),
-    st.data("Table A-1, rotation centre at the peaks"),
-    figure="4-11",
-)  # fmt: skip
 def centre_at_the_end() -> st.Finding:
     measured = _measured()
     x = 1e3 * np.asarray(measured.centre_from_edge)
@@ -67,25 +46,13 @@ def centre_at_the_end() -> st.Finding:
     )
 
 
-@statement(
-    "4.5.1", "a very good fit to the data with a R^2 value of 0.976",
-    st.rounded("0.976"),
-    st.closed_form("4-5"), st.data("Table A-1, legible quarters"),
-    figure="4-13",
-)  # fmt: skip
 def fit_of_4_5() -> st.Finding:
-    peak, time = figures.quarters()
-    r2 = identification.coefficient_of_determination(time, quarter_period_fit(np.abs(peak)))
-    return st.finding(r2, f"{r2:.4f} over {len(time)} quarters")
+    rows, every = fits_of_quarters(quarter_period_fit)
+    return st.ranging(
+        [rows, every], f"{rows:.4f} at the 19 legible quarters, {every:.4f} at all 22"
+    )
 
 
-@statement(
-    "4.5.1, at 4-5", "0.505 s and 5155 mm, 0.010 s",
-    st.near([0.505 * math.sqrt(2 / 5.155), 0.010], [1e-3, 5e-4],
-         why="factor of the root in s/sqrt(m), and seconds: half of the last digit"),
-    st.data("Table A-1, legible quarters, least squares"),
-    figure="4-13",
-)  # fmt: skip
 def coefficients_of_4_5() -> st.Finding:
     fit = figures.fitted_quarters()
     ends = [fit.interval(name) for name in ("k", "c")]
@@ -97,13 +64,6 @@ def coefficients_of_4_5() -> st.Finding:
     )
 
 
-@statement(
-    "4.5.1", "For a 1.2% lateral drift of the PCM wall, the rocking frequency of the system "
-    "decreased from approximately 11 Hz to 4 Hz",
-    st.about([11.0, 4.0], "Hz", why="approximately"),
-    st.data("Table A-1, quarters at the smallest and the largest peak"),
-    figure="4-13", lost="the rows of the smallest motions are legible in part",
-)  # fmt: skip
 def range_of_frequency() -> st.Finding:
     peak, time = figures.quarters()
     fast, slow = 1 / (4 * time[np.argmin(np.abs(peak))]), 1 / (4 * time[0])
@@ -116,12 +76,6 @@ def range_of_frequency() -> st.Finding:
     )
 
 
-@statement(
-    "4.5.1", "likewise correlated to the horizontal displacements",
-    st.at_least(0.95, why="R2 of a straight line of the uplift"),
-    st.data("Table A-1, uplift of the edge that lifts"),
-    figure="4-14",
-)  # fmt: skip
 def uplift_against_displacement() -> st.Finding:
     measured, chosen = _measured(), legible()
     left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
@@ -135,12 +89,6 @@ def uplift_against_displacement() -> st.Finding:
     )
 
 
-@statement(
-    "4.5.1", "the tendon force increases slowly in a parabolic fashion",
-    st.at_most(1.0, why="slope below 2 mm over that from 2 to 8 mm"),
-    st.data("Table A-1, tendon force"),
-    figure="4-15",
-)  # fmt: skip
 def slopes_of_the_tendon_force() -> st.Finding:
     measured, chosen = _measured(), legible()
     size, force = np.abs(measured.displacement[chosen]), np.asarray(measured.tendon_force)[chosen]
@@ -158,12 +106,6 @@ def slopes_of_the_tendon_force() -> st.Finding:
     return st.ranging(ratios, f"{said} with 95 % confidence; the zero of the gauge is not upright")
 
 
-@statement(
-    "Table A-1", "the last column is the distance to the edge of the wall",
-    st.near(0.0, 5.0, "mm", why="what its uplifts say of the distance, on the median"),
-    st.data("Table A-1, uplifts of both edges at the peaks beyond 5 mm"),
-    slip=True,
-)  # fmt: skip
 def column_of_the_rotation_centre() -> st.Finding:
     measured = _measured()
     rows = measured.at_peak & legible() & (np.abs(measured.displacement) > 5e-3)
@@ -172,12 +114,6 @@ def column_of_the_rotation_centre() -> st.Finding:
     return st.finding(more, f"{more:.0f} mm more than its uplifts say: the gauge is 30 mm outside")
 
 
-@statement(
-    "4.5.1", "when the wall is truly upright, or at the precise time of zero crossing",
-    st.at_most(0.1, "mm", why="truly upright, where the acceleration vanishes"),
-    st.data("Table A-1, crossings"),
-    slip=True,
-)  # fmt: skip
 def displacement_at_the_crossings() -> st.Finding:
     measured = _measured()
     rows = ~measured.at_peak & legible()
@@ -188,13 +124,6 @@ def displacement_at_the_crossings() -> st.Finding:
 # --- 4.7 energy
 
 
-@statement(
-    "4.7", "energy dissipation begins when the instantaneous displacement is less than 25% of the "
-    "peak initial displacement",
-    st.near(25.0, 2.5, "%", why="10 %"),
-    st.closed_form("4-23"), _TABLE,
-    figure="4-26", lost=_RECORD,
-)  # fmt: skip
 def onset_of_dissipation() -> st.Finding:
     measured = _measured()
     lost = [
@@ -207,12 +136,6 @@ def onset_of_dissipation() -> st.Finding:
     )
 
 
-@statement(
-    "4.7", "small displacements, less than 4 mm say, lose energy at any speed",
-    st.at_least(90.0, "%", why="nearly all of the loss within 4 mm"),
-    st.closed_form("4-28 with n of 4-7"),
-    figure="4-27", lost=_RECORD,
-)  # fmt: skip
 def loss_within_four_millimetres() -> st.Finding:
     n = WALL.rotation_centre.epsilon
     within = 100 * float(erf(4e-3 / n))
@@ -221,24 +144,12 @@ def loss_within_four_millimetres() -> st.Finding:
     )
 
 
-@statement(
-    "4.7", "over 80 % of the energy is elastic energy of the tendon at first",
-    st.at_least(80.0, "%", why="the printed number"),
-    st.closed_form("4-18 to 4-20"), st.data("Table A-1, first peak"),
-    figure="4-28",
-)  # fmt: skip
 def share_of_the_tendon() -> st.Finding:
     energies = _measured().energies(WALL)
     share = 100 * float(energies.elastic[0] / energies.total[0])
     return st.finding(share, f"{share:.1f} %")
 
 
-@statement(
-    "4.7", "when upright the total erroneously increases",
-    st.at_least(4, "of 6 crossings", why="more than half, above the peak before"),
-    st.closed_form("4-18 to 4-20"), st.data("Table A-1, first three cycles"),
-    figure="4-28",
-)  # fmt: skip
 def energy_at_the_crossings() -> st.Finding:
     total = _measured().energies(WALL).total[:13]
     rises = int(np.sum(total[1::2] > total[:-1:2]))
@@ -246,26 +157,12 @@ def energy_at_the_crossings() -> st.Finding:
     return st.finding(rises, f"at {rises} of the 6, by up to {most:.0f} %")
 
 
-@statement(
-    "Figure 4-29", "617.9, 541.9, 488.9 ... 88.7 J at thirteen peaks",
-    st.near(FIGURE_4_29.numbers("total energy"), 1.5, "J",
-         why="what the last digit of the displacement and of the force leaves open"),
-    st.closed_form("4-18 and 4-20"), st.data("Table A-1, peaks"),
-    figure="4-29",
-)  # fmt: skip
 def energies_of_figure_4_29() -> st.Finding:
     energies = _measured().energies(WALL).total[figures.peaks()]
     off = np.abs(energies - FIGURE_4_29.numbers("total energy")).max()
     return st.finding(energies, f"off by {off:.1f} J at most")
 
 
-@statement(
-    "4.7", "a constant r value describes the nature of energy dissipation adequately, except for "
-    "small vibrations",
-    st.at_most(0.1, why="adequately: standard deviation of 10 % from peaks above 7 mm"),
-    st.closed_form("energies of 4-18 to 4-20"), _TABLE,
-    figure="4-30",
-)  # fmt: skip
 def scatter_of_restitution() -> st.Finding:
     lost = figures.losses()
     large = lost.chosen & (np.abs(lost.peak) > 7e-3)
@@ -275,13 +172,6 @@ def scatter_of_restitution() -> st.Finding:
     return st.finding(spread[0], f"{spread[0]:.3f}; {spread[1]:.3f} from smaller ones")
 
 
-@statement(
-    "4.7", "the experimental r values are generally close to the theoretical Housner r value",
-    st.near(figures.HOUSNER, 0.1 * figures.HOUSNER,
-            why="close: 10 %, on the mean of twelve passages"),
-    st.closed_form("2-6 about the corner"), _TABLE,
-    figure="4-31",
-)  # fmt: skip
 def mean_restitution() -> st.Finding:
     r = figures.losses().energy_ratio[: PEAKS - 1]
     low, high = identification.fit(lambda mean: np.full(len(r), mean), r, {"mean": 0.85}).interval(
@@ -294,13 +184,6 @@ def mean_restitution() -> st.Finding:
     )
 
 
-@statement(
-    "4.7", "there is no apparent relationship between the impact speed or the initial energy "
-    "content with the experimental r values",
-    st.at_most(1.0, "half-widths", why="slope over the half-width of its 95 % interval"),
-    st.closed_form("energies of 4-18 to 4-20"), _TABLE,
-    figure="4-31",
-)  # fmt: skip
 def restitution_against_the_speed() -> st.Finding:
     r, speed = (x[: PEAKS - 1] for x in figures.losses()[:2])
     line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.85, "slope": 0.0})
@@ -310,12 +193,6 @@ def restitution_against_the_speed() -> st.Finding:
     )
 
 
-@statement(
-    "4.7", "the numerically calculated boundary closely matched the experimental boundary",
-    st.at_most(10.0, "%", why="closely: 10 %"),
-    st.closed_form("4-25 and 4-26"), _TABLE,
-    figure="4-34", lost="the boundary of the experiment is not printed",
-)  # fmt: skip
 def crossings_within_the_boundary() -> st.Finding:
     measured = _measured()
     rows = ~measured.at_peak & legible()
@@ -324,3 +201,54 @@ def crossings_within_the_boundary() -> st.Finding:
     inside = size < np.interp(speed, limit.speed, limit.displacement)
     outside = 100 * float(1 - inside.mean())
     return st.finding(outside, f"{inside.sum()} of {len(inside)} measured crossings lie inside it")
+
+
+def fit_of_4_9() -> st.Finding:
+    measured = _measured()
+    size = np.abs(measured.displacement)
+    left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
+    uplift = np.where(measured.displacement > 0, left, right)
+    fits = [
+        float(identification.coefficient_of_determination(uplift[rows], WALL.uplift(size[rows])))
+        for rows in (legible(), measured.at_peak & legible())
+    ]
+    return st.ranging(fits, f"{fits[0]:.3f} at all legible rows, {fits[1]:.3f} at the peaks")
+
+
+def speeds_of_the_trajectories() -> st.Finding:
+    measured, rows = _measured(), figures.peaks()[:5]
+    own = [float(speed[-1]) for _, speed in figures.paths_without_losses()]
+    ratio = np.abs(measured.velocity[rows + 1]) / own
+    return st.finding(ratio, f"upright it has {ratio.min():.2f} to {ratio.max():.2f} of its speed")
+
+
+_SAMPLE = 0.005
+"""Time between samples of the test, of which the time of a peak is one [s]; section 4.5.1."""
+
+
+def times_of_the_trajectories() -> st.Finding:
+    """By 4-24, from each of the first five peaks to the displacement of the crossing after it."""
+    measured, ratios = _measured(), []
+    for row in figures.peaks()[:5]:
+        start, end = np.abs(measured.displacement[row : row + 2])
+        s = np.linspace(0.0, math.sqrt(1 - end / start), 2001)[1:]  # Delta = start (1 - s**2)
+        pace = 2 * start * s / np.abs(WALL.phase_trajectory(start, start * (1 - s**2)))
+        own = float(trapezoid(pace, s) + pace[0] * s[0])
+        quarter = float(measured.time[row + 1] - measured.time[row])
+        ratios.append([own / (quarter + _SAMPLE / 2), own / (quarter - _SAMPLE / 2)])
+    low, high = np.min(ratios, axis=0)[0], np.max(ratios, axis=0)[1]
+    return st.ranging(
+        np.transpose(ratios),
+        f"{low:.2f} to {high:.2f} of the measured times, each peak being known to a sample",
+    )
+
+
+def restoring_force_at_the_peaks() -> st.Finding:
+    measured = _measured()
+    rows = measured.at_peak & legible()
+    force = -WALL.mass * measured.acceleration[rows]
+    ratio = np.asarray(WALL.restoring_force(measured.displacement[rows]) / force)
+    return st.finding(
+        [ratio.min(), ratio.max()],
+        f"F_k is {ratio.min():.2f} to {ratio.max():.2f} of -M a at the legible peaks of Table A-1",
+    )

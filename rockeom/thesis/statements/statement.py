@@ -13,11 +13,12 @@ its result. The rule:
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
 from decimal import Decimal
 from enum import Enum
-from functools import partial
+from importlib import import_module
 from typing import NamedTuple
 
 import numpy as np
@@ -45,9 +46,9 @@ class Limits:
     Parameters
     ----------
     low : ndarray
-        Lower ends (n,), one for every number that the statement has.
+        Lower ends (n,), one for every number that the statement has, or one for all, (1,).
     high : ndarray
-        Upper ends (n,).
+        Upper ends (n,) or (1,).
     unit : str
         Unit as on the page.
     why : str
@@ -66,22 +67,12 @@ class Limits:
 
     def judge(self, finding: Finding) -> Verdict:
         """The verdict on a finding; ValueError if the numbers are not as many as printed."""
-        if finding.low.shape != self.low.shape:
+        if finding.low.size != self.low.size and (self.low.size > 1 or finding.low.size == 0):
             raise ValueError(f"{finding.low.size} numbers for {self.low.size} printed")
         if np.any((finding.high < self.low) | (finding.low > self.high)):
             return Verdict.DIFFERS
         inside = (finding.low >= self.low) & (finding.high <= self.high)
         return Verdict.HOLDS if np.all(inside) else Verdict.OPEN
-
-    def excluding(self, finding: Finding) -> Limits:
-        """The limits after the first printed number changed just beyond a finding."""
-        width = 1e-9 * (1.0 + abs(finding.low[0]) + abs(finding.high[0]))
-        up = finding.high[0] - self.low[0] + width
-        down = finding.low[0] - self.high[0] - width
-        by = up if math.isfinite(self.low[0]) else down
-        change = np.zeros(self.low.shape)
-        change[0] = by
-        return replace(self, low=self.low + change, high=self.high + change)
 
 
 def _interval(pair: tuple[float, float]) -> str:
@@ -95,40 +86,44 @@ def _interval(pair: tuple[float, float]) -> str:
     return f"{low:g} to {high:g}"
 
 
-def near(value: ArrayLike, within: ArrayLike, unit: str = "", *, why: str) -> Limits:
-    """Printed numbers (n,), each within a distance."""
-    number, distance = np.broadcast_arrays(np.atleast_1d(np.asarray(value, float)), within)
-    return Limits(number - distance, number + distance, unit, why)
+_ITEM = re.compile(
+    r"(?P<sign>[<>]?=)? ?(?P<first>-?[\d.e-]+)"
+    r"(?: to (?P<last>-?[\d.e-]+))?(?: \+- (?P<off>[\d.e-]+)(?P<percent> %)?)?"
+)
 
 
-def rounded(*numbers: str, unit: str = "", why: str = "half of the last digit") -> Limits:
-    """Printed numbers as they are on the page, such as "0.720": each may be off by half a digit."""
-    exact = [Decimal(number) for number in numbers]
-    half = [float(Decimal("0.5").scaleb(int(x.as_tuple().exponent))) for x in exact]
-    return near([float(x) for x in exact], half, unit, why=why)
+def limits(text: str, unit: str = "", why: str = "") -> Limits:
+    """Limits as the table writes them, one for each printed number, with commas between them.
+
+    "0.720" allows half of its last digit, "5 +- 0.5" and "5, 7 +- 10 %" a distance, "0.72 to 0.97"
+    a range, ">= 20", "<= 0.8" one side, and "= 2" nothing else. Limits of one number hold for all
+    that are found.
+
+    ValueError for a text that is none of these.
+    """
+    items = [_ITEM.fullmatch(item) for item in text.split(", ")]
+    if None in items:
+        raise ValueError(f"limits {text!r}: neither a number, a range nor a side")
+    ends = [_ends(item, items[-1]) for item in items if item and items[-1]]
+    low, high = np.array(ends).T
+    return Limits(low, high, unit, why)
 
 
-def about(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
-    """Printed numbers (n,), each within 10 %; `why` is the word of the page, such as "roughly"."""
-    return near(value, 0.1 * np.abs(value), unit, why=f"{why}: 10 %")
-
-
-def between(low: ArrayLike, high: ArrayLike, unit: str = "", *, why: str) -> Limits:
-    """A printed range, or one for each number (n,)."""
-    first, last = (np.atleast_1d(np.asarray(end, float)) for end in (low, high))
-    return Limits(first, last, unit, why)
-
-
-def at_least(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
-    """Printed numbers that are exceeded or reached."""
-    low = np.asarray(value, float)
-    return between(low, np.full(low.shape, math.inf), unit, why=why)
-
-
-def at_most(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
-    """Printed numbers that are not exceeded."""
-    high = np.asarray(value, float)
-    return between(np.full(high.shape, -math.inf), high, unit, why=why)
+def _ends(item: re.Match[str], last: re.Match[str]) -> tuple[float, float]:
+    """Both ends of one item; a distance behind the last item is that of all."""
+    number = float(item["first"])
+    if item["sign"]:
+        return {
+            "=": (number, number), ">=": (number, math.inf), "<=": (-math.inf, number),
+        }[item["sign"]]  # fmt: skip
+    if item["last"]:
+        return number, float(item["last"])
+    of = item if item["off"] else last
+    if of["off"]:
+        distance = float(of["off"]) * (abs(number) / 100 if of["percent"] else 1.0)
+    else:
+        distance = float(Decimal("0.5").scaleb(int(Decimal(item["first"]).as_tuple().exponent)))
+    return number - distance, number + distance
 
 
 # --- evidence
@@ -161,24 +156,10 @@ class Evidence(NamedTuple):
         return f"{self.name} ({self.origin.value})"
 
 
-def printed(name: str) -> Evidence:
-    """Numbers printed elsewhere in the thesis: the table and its cell, the figure, the section."""
-    return Evidence(Origin.PRINTED, name)
-
-
-def data(name: str) -> Evidence:
-    """A data file of the package, a recorded motion or a publication."""
-    return Evidence(Origin.DATA, name)
-
-
-def closed_form(name: str) -> Evidence:
-    """An equation evaluated."""
-    return Evidence(Origin.CLOSED_FORM, name)
-
-
-def simulation(name: str) -> Evidence:
-    """A motion integrated here."""
-    return Evidence(Origin.SIMULATION, name)
+def evidence(text: str) -> tuple[Evidence, ...]:
+    """Evidence as the table writes it, "closed form: 2-6 | printed: Table 2-1"; ValueError else."""
+    pairs = (one.partition(": ") for one in text.split(" | "))
+    return tuple(Evidence(Origin(origin), name) for origin, _, name in pairs)
 
 
 class Finding(NamedTuple):
@@ -242,36 +223,40 @@ def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Finding:
 
 @dataclass(frozen=True, eq=False)
 class Statement:
-    """Statement of the thesis and the way to judge it.
+    """Statement of the thesis and the way to judge it: a row of the table.
 
     Parameters
     ----------
     place : str
         Section, table, figure or equation of the thesis.
+    figure : str
+        Number of the figure that shows it; "" if none does.
     words : str
-        Words there, quoted as far as that is possible.
+        Words there, quoted; "..." stands for words left out.
+    scan : str
+        The same words as the scanned text has them where it is garbled; "" where it is not.
     limits : Limits
         Numbers that the words allow.
     evidence : tuple of Evidence
         Data with which it is compared; of two, the agreement of one with the other is measured.
-    find : callable
-        Function that gives the finding.
-    figure : str, optional
-        Number of the figure that shows it; "" if none does.
-    lost : str, optional
+    lost : str
         Input without which it cannot be judged; "" if all are at hand.
-    slip : bool, optional
-        Whether the printed words are an error of the text, with the finding as the correction.
+    correction : str
+        What should stand there, where the printed words are an error of the text; "" else.
+    function : str
+        Function that gives the finding, of a module of `rockeom.thesis.statements`, with its
+        arguments if it has any: "chapter_4_runs.peaks_of_run(1; SDOF)".
     """
 
     place: str
+    figure: str
     words: str
+    scan: str
     limits: Limits
     evidence: tuple[Evidence, ...]
-    find: Callable[[], Finding]
-    figure: str = field(default="", kw_only=True)
-    lost: str = field(default="", kw_only=True)
-    slip: bool = field(default=False, kw_only=True)
+    lost: str
+    correction: str
+    function: str
 
     def __post_init__(self) -> None:
         origins = [one.origin for one in self.evidence]
@@ -282,14 +267,12 @@ class Statement:
                 f"{self.place}: both sides are simulated here, which says nothing of the thesis"
             )
 
-    @property
-    def function(self) -> str:
-        """Full name of the function that finds the number, with its arguments if it has any."""
-        if isinstance(self.find, partial):
-            of, arguments = self.find.func, f"({', '.join(map(repr, self.find.args))})"
-        else:
-            of, arguments = self.find, ""
-        return f"{of.__module__}.{of.__qualname__}{arguments}"
+    def find(self) -> Finding:
+        """The finding of its function."""
+        name, _, arguments = self.function.removesuffix(")").partition("(")
+        module, _, function = name.rpartition(".")
+        of = getattr(import_module(f"rockeom.thesis.statements.{module}"), function)
+        return of(*filter(None, arguments.split("; ")))
 
     def judged(self) -> Judgement:
         """The statement judged; open where a record that it needs is not at hand."""
@@ -302,6 +285,24 @@ class Statement:
         return Judgement(self, finding, self.limits.judge(finding), finding.words)
 
 
+def from_row(row: Mapping[str, str]) -> Statement:
+    """A statement of a row of the table; ValueError that names its place if it cannot be read."""
+    try:
+        return Statement(
+            place=row["place"],
+            figure=row["figure"],
+            words=row["quotation"],
+            scan=row["scan"],
+            limits=limits(row["limits"], row["unit"], row["why"]),
+            evidence=evidence(row["evidence"]),
+            lost=row["lost"],
+            correction=row["correction"],
+            function=row["function"],
+        )
+    except ValueError as error:
+        raise ValueError(f"{row['place']}, {row['function']}: {error}") from None
+
+
 @dataclass(frozen=True)
 class Judgement:
     """Statement with its verdict.
@@ -311,7 +312,7 @@ class Judgement:
     statement : Statement
         Statement.
     finding : Finding
-        Finding; None where it is open.
+        Finding; None where a record is missing.
     verdict : Verdict
         Verdict.
     words : str
@@ -329,29 +330,8 @@ class Judgement:
         of = self.statement
         return f"{' against '.join(map(str, of.evidence))}, by {of.function}"
 
-
-class Register:
-    """The statements of one module, in their order; called, it adds one.
-
-        statement = Register()
-
-        @statement("4.5", "a drift of 1.5%", near(1.5, 0.05, "%", why="..."), printed("Table 4-2"))
-        def largest_drift() -> Found: ...
-
-    `find` of a statement is the decorated function, whose name is shown with the verdict.
-    """
-
-    def __init__(self) -> None:
-        self.statements: list[Statement] = []
-
-    def __call__(
-        self, place: str, words: str, limits: Limits, *evidence: Evidence,
-        figure: str = "", lost: str = "", slip: bool = False,
-    ) -> Callable[[Callable[[], Finding]], Callable[[], Finding]]:  # fmt: skip
-        def add(find: Callable[[], Finding]) -> Callable[[], Finding]:
-            self.statements.append(
-                Statement(place, words, limits, evidence, find, figure=figure, lost=lost, slip=slip)
-            )
-            return find
-
-        return add
+    @property
+    def conclusion(self) -> str:
+        """The verdict, and the right words where the printed ones are an error of the text."""
+        right = self.statement.correction
+        return self.verdict.value + (f", an error of the text; right: {right}" if right else "")
