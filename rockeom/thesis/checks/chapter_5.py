@@ -19,14 +19,10 @@ from rockeom.thesis.checks.check import Finding, Findings, close, derived, repro
 from rockeom.thesis.checks.engine import MODE, MODEL_A, THETA, B, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
-from rockeom.thesis.printed import COLUMN, FIGURE_5_6
+from rockeom.thesis.printed import COLUMN, FIGURE_5_6, number
 
 T_FIXED, FOOT_WIDTH = 0.092, {th.B_measured: 285.0, th.H_measured: 1056.0, th.R_measured: 1093.8}
 """Stated in 5.2 [s] and under 5-2 [mm]."""
-
-
-def number(cell: object) -> float:
-    return float(str(cell))
 
 
 def column_numbers() -> dict[sp.Symbol, float]:
