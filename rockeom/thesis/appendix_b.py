@@ -32,12 +32,11 @@ POTENTIAL_ENERGY = {
     "B-2 B-1 by the displacement": Kind.CLOSED_FORM(
         th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H
     ),
-    "B-3 B-2 with 4-9": Kind.CLOSED_FORM(th.u_tendon, RISE, units="920 mm, 412 mm"),
+    "B-3 B-2 with 4-9": Kind.CLOSED_FORM(th.u_tendon, RISE),
     "B-4 gravitational energy, as 4-18": Kind.APPROXIMATION(
         th.U_of,
         th.m_T * th.g * RISE,
         remark="In mJ where lengths are in mm.",
-        units="920 mm, 412 mm",
     ),
 }
 
@@ -65,7 +64,6 @@ KINETIC_ENERGY = {
         "the migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and "
         "less than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
-        units="686 kg m2, 577.56 kg, 2.537 m, 442 kg m2, 1438.5 kg",
     ),
 }
 
@@ -84,7 +82,6 @@ TENDON_ENERGY = {
         ),
         th.L_T / (2 * th.E_tendon * th.A_tendon) * th.P_tendon**2 - Float("244.050"),
         remark="The line between the two has 6.4564E-03, which is the same in metres.",
-        units="6.4564 mm, 244.05 J",
     ),
     "B-13 elastic energy of the tendon after it has yielded": Kind.CLOSED_FORM(
         th.U_E_of,
@@ -96,12 +93,13 @@ TENDON_ENERGY = {
         Float("159.03") * th.extension - Float("297.22"),
         remark="For a displacement that grows. 159.03 kN are 900 MPa on 176.7 mm2; section 4.2 "
         "has 160 kN and 177 mm2.",
-        units="6.4564 mm, 13.5814 mm, 7.125 mm, 159.03 kN, 297.22 J",
     ),
 }
 
 APPENDIX_B = (
-    *section("B.1", POTENTIAL_ENERGY),
-    *section("B.2", KINETIC_ENERGY),
-    *section("B.3", TENDON_ENERGY),
+    *section("B.1", POTENTIAL_ENERGY, units="920 mm, 412 mm"),
+    *section("B.2", KINETIC_ENERGY, units="686 kg m2, 577.56 kg, 2.537 m, 442 kg m2, 1438.5 kg"),
+    *section(
+        "B.3", TENDON_ENERGY, units="6.4564 mm, 13.5814 mm, 7.125 mm, 159.03 kN, 244.05 J, 297.22 J"
+    ),
 )

@@ -116,7 +116,6 @@ DISSIPATION = {
         "the bunches of section 3.3: that bears the coefficients out within 5, 2 and 20 %.",
         remark="For the block of chapter 3 and speeds up to 0.8 rad/s. Negative is a loss; the "
         "velocity is that before the impact. On the left edge it gains energy below 0.067 rad/s.",
-        units="5.525 J s3, 9.661 J s2, 0.6663 J s",
     ),
     "3-18 the same for the second trend, impacts on the right edge": Kind.FIT(
         th.energy_change,
@@ -128,12 +127,15 @@ DISSIPATION = {
         "speeds.",
         remark="For positive velocities; impacts on the right edge follow either 3-17 or 3-18.",
         sides=POSITIVE,
-        units="7.144 J s3, 7.576 J s2, 0.0381 J s",
     ),
 }
 
 CHAPTER_3 = (
     *section("3.2.2", ENERGIES),
     *section("3.2.3", SUPPORT_FORCES),
-    *section("3.2.4", DISSIPATION),
+    *section(
+        "3.2.4",
+        DISSIPATION,
+        units="5.525 J s3, 9.661 J s2, 0.6663 J s, 7.144 J s3, 7.576 J s2, 0.0381 J s",
+    ),
 )

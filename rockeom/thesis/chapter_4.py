@@ -45,20 +45,18 @@ MEASURED_BASE = {
             (Q.positive(u_L) & Q.negative(u_R), Q.negative(u_L) & Q.positive(u_R)),
             (Q.positive(u_L) & Q.positive(u_R), Q.negative(u_L) & Q.negative(u_R)),
         ),
-        units="1076 mm",
     ),
     "4-2 distance from the right gauge to the centre of rotation": Kind.DEFINITION(
-        th.y_centre, 1076 - th.x, units="1076 mm"
+        th.y_centre, 1076 - th.x
     ),
     "4-3 uplift of the left edge, 30 mm inside the gauge": Kind.DEFINITION(
         th.u_L_edge,
         u_L * (th.x - 30) / th.x,
         remark="The text says that this takes off up to 26 % of the toe's compression; of the "
         "first row of Table A-1 it takes 38 %.",
-        units="30 mm",
     ),
     "4-4 uplift of the right edge": Kind.DEFINITION(
-        th.u_R_edge, u_R * (th.y_centre - 30) / th.y_centre, units="30 mm"
+        th.u_R_edge, u_R * (th.y_centre - 30) / th.y_centre
     ),
     # the scanned text reads Lambda for Delta
     "4-5 quarter period from a peak, fitted to the free vibration": Kind.FIT(
@@ -67,7 +65,6 @@ MEASURED_BASE = {
         remark="Delta in mm, its size where the peak is negative. The length of 5155 mm is none "
         "of the wall: what counts is the factor of sqrt(Delta), 0.00995 s/sqrt(mm).",
         sides=POSITIVE,
-        units="0.505 s, 1/5155 1/mm, 0.01 s",
     ),
     "4-6 uplift of the edge of a rigid wall that turns about a point of its base": Kind.CLOSED_FORM(
         th.u_edge,
@@ -86,7 +83,6 @@ MEASURED_BASE = {
         "which leaves 442 mm. The printed numbers, which 4-9 to 4-18 and appendix B use, meet the "
         "uplifts and forces of Table A-1 better: R2 is 0.990 and 0.924, with 442 and 66 mm 0.975 "
         "and 0.826.",
-        units="1016 mm, 412 mm, 96 mm, 3.551 mm",
     ),
     "4-8 general form of 4-7": Kind.DEFINITION(
         th.distance,
@@ -95,7 +91,7 @@ MEASURED_BASE = {
         "called n from 4.8 on.",
     ),
     "4-9 uplift of the edge, 4-6 with the printed 4-7": Kind.CLOSED_FORM(
-        th.u_edge, Abs(Delta) / LEVEL * REACH, units="920 mm, 412 mm"
+        th.u_edge, Abs(Delta) / LEVEL * REACH
     ),
 }
 
@@ -116,13 +112,12 @@ TENDON = {
     "4-14 4-13 by the displacement and the uplift of the edge": Kind.CLOSED_FORM(
         extension, th.u_edge * H / LEVEL - th.B * Abs(Delta) / LEVEL
     ),
-    "4-15 4-14 with 4-9": Kind.CLOSED_FORM(extension, EXTENSION, units="920 mm, 412 mm"),
+    "4-15 4-14 with 4-9": Kind.CLOSED_FORM(extension, EXTENSION),
     "4-16 force of the elastic tendon": Kind.CLOSED_FORM(
         P_tendon,
         th.P_initial + th.E_tendon * th.A_tendon / th.L_T0 * EXTENSION,
         remark="Up to yield, at 159.03 kN. The tendon without a force is 3093.54 mm long, shorter "
         "than the 3100 mm between its anchors by the 6.4564 mm of B.3; the text has 3106.6 mm.",
-        units="920 mm, 412 mm",
     ),
 }
 
@@ -143,7 +138,6 @@ DYNAMICS = {
         th.U_of,
         th.m_T * th.g * (Abs(Delta) / LEVEL * REACH - th.B * Abs(Delta) / H),
         remark="In mJ where lengths are in mm.",
-        units="920 mm, 412 mm",
     ),
     "4-19 kinetic energy": Kind.APPROXIMATION(
         th.E_k_of, sp.Rational(1, 2) / H**2 * th.I_o * Delta_d**2
@@ -153,7 +147,6 @@ DYNAMICS = {
     ): Kind.CLOSED_FORM(
         elastic_energy("244.05", "297.22"),
         remark="For a displacement that grows: there is no way back from yield in it.",
-        units="244.05 J, 159.03 kN, 297.22 J",
     ),
     "4-21 total energy of a wall at rest, at its release": Kind.DEFINITION(
         th.U_total_0, th.U_start + th.U_E_start
@@ -228,7 +221,6 @@ EQUIVALENT_OSCILLATOR = {
         ),
         remark="It jumps at 0.3, 0.47 and 0.78 m/s, where it is not defined. The release at 30.41 "
         "mm passes upright twice within 0.04 m/s of the last of them.",
-        units="1/45 s/m, 0.3 m/s, 0.47 m/s, 0.78 m/s",
     ),
 }
 
@@ -312,7 +304,6 @@ HARMONIC_MOTION = {
         -M_e * th.Z * sin(16 * pi * th.t),
         illegible="The scanned text has lost the dots of the first term.",
         remark="8 Hz, in seconds.",
-        units="16 1/s",
     ),
 }
 
@@ -320,18 +311,22 @@ LATER_TENDON = {
     "4-44 elastic energy of the tendon from 111 kN on": Kind.CLOSED_FORM(
         elastic_energy("526.12", "98.506"),
         remark="The length of the tendon is that of 4-20.",
-        units="526.12 J, 159.03 kN, 98.506 J",
     ),
 }
 
 CHAPTER_4 = (
-    *section("4.5.1", MEASURED_BASE),
-    *section("4.6", TENDON),
-    *section("4.7", DYNAMICS),
-    *section("4.8.1", EQUIVALENT_OSCILLATOR),
+    *section(
+        "4.5.1",
+        MEASURED_BASE,
+        units="1076 mm, 30 mm, 1/5155 1/mm, 0.505 s, 0.01 s, 1016 mm, 920 mm, 412 mm, 96 mm, "
+        "3.551 mm",
+    ),
+    *section("4.6", TENDON, units="920 mm, 412 mm"),
+    *section("4.7", DYNAMICS, units="920 mm, 412 mm, 159.03 kN, 244.05 J, 297.22 J"),
+    *section("4.8.1", EQUIVALENT_OSCILLATOR, units="1/45 s/m, 0.3 m/s, 0.47 m/s, 0.78 m/s"),
     *section("4.8.2", SUBSTITUTE_GRAVITY),
     *section("4.9.1.3", GROUND_MOTION),
     *section("4.9.1.4", DAMPED_BY_VELOCITY),
-    *section("4.9.1.5", HARMONIC_MOTION),
-    *section("4.9.2", LATER_TENDON),
+    *section("4.9.1.5", HARMONIC_MOTION, units="16 1/s"),
+    *section("4.9.2", LATER_TENDON, units="159.03 kN, 526.12 J, 98.506 J"),
 )

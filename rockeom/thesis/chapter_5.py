@@ -37,7 +37,6 @@ COLUMN = {
         Float("571.8e3"),
         remark="T_fixed is the 0.092 s of the rubber pad, also where the feet are of steel (runs "
         "1 and 3); with their 0.112 s k is 385.8 kN/m.",
-        units="571800 N/m",
     ),
 }
 
@@ -73,7 +72,6 @@ RUBBER_FEET = {
         fitted="Fitted to rotation centres that are not in the text, which bears out the 300 mm "
         "of the centreline and a reach within the base plate, and nothing closer.",
         remark="For the column of McManus on rubber and displacements up to 29 mm.",
-        units="220.1 mm, 0.1276 1/mm, 300 mm",
     ),
     "5-6 5-2 about the centre of rotation of that moment": Kind.APPROXIMATION(
         (
@@ -88,7 +86,6 @@ RUBBER_FEET = {
         ),
         remark="Written out; the thesis has alpha', B' and R' as functions of x and y, and H for "
         "H' once. The present centre counts as the pivot of the whole rotation.",
-        units="300 mm",
     ),
     "5-7 equivalent viscous damping ratio of a cycle": Kind.APPROXIMATION(
         th.xi_i,
@@ -278,7 +275,7 @@ MODEL_C_MOTION = {
 
 MODEL_C_COLUMN = {
     "5-36 viscous coefficient of the column, 3 % of the critical one": Kind.CLOSED_FORM(
-        th.c, Float("0.03") * 2 * sqrt(m_e * th.k), Float("502.4"), units="502.4 N s/m"
+        th.c, Float("0.03") * 2 * sqrt(m_e * th.k), Float("502.4")
     ),
     "5-37 displacement of the superstructure from its upright position": Kind.CLOSED_FORM(
         th.displacement,
@@ -292,11 +289,11 @@ MODEL_C_COLUMN = {
 }
 
 CHAPTER_5 = (
-    *section("5.2", COLUMN),
+    *section("5.2", COLUMN, units="571800 N/m"),
     *section("5.2.1", STEEL_FEET),
-    *section("5.2.2", RUBBER_FEET),
+    *section("5.2.2", RUBBER_FEET, units="220.1 mm, 0.1276 1/mm, 300 mm"),
     *section("5.3.1", MODEL_A),
     *section("5.3.2", MODEL_B),
     *section("5.3.3", MODEL_C_MOTION),
-    *section("5.3.3.1", MODEL_C_COLUMN),
+    *section("5.3.3.1", MODEL_C_COLUMN, units="502.4 N s/m"),
 )

@@ -107,7 +107,7 @@ class Equation:
         What bears out coefficients that the text fitted to data, and how closely; "" if there are
         none.
     units : str, optional
-        Units of its numbers, "0.505 s, 5155 mm", and of symbols that it counts in a unit.
+        Units of numbers in its section, "0.505 s, 5155 mm", and of symbols that it counts in one.
     sides : tuple of int, optional
         Signs of theta for which it is meant.
     """

@@ -5,6 +5,7 @@ has an entry for each. Rates are symbols of their own, as the thesis writes them
 call this module `th`; a chapter also imports the few symbols that most of its equations have.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -37,19 +38,16 @@ class Entry:
 NOTATION: list[Entry] = []
 
 
-def real(name: str, unit: str, meaning: str, *chapters: str) -> Symbol:
-    """A real symbol with its entry; a second entry of the same name is for other chapters."""
-    return _enter(Symbol(name, real=True), unit, meaning, chapters)
+def _symbols(**assumption: bool) -> Callable[..., Symbol]:
+    """Maker of symbols of an assumption; a second entry of the same name is for other chapters."""
+
+    def named(name: str, unit: str, meaning: str, *chapters: str) -> Symbol:
+        return _enter(Symbol(name, **assumption), unit, meaning, chapters)
+
+    return named
 
 
-def positive(name: str, unit: str, meaning: str, *chapters: str) -> Symbol:
-    """A positive symbol with its entry."""
-    return _enter(Symbol(name, positive=True), unit, meaning, chapters)
-
-
-def negative(name: str, unit: str, meaning: str, *chapters: str) -> Symbol:
-    """A negative symbol with its entry."""
-    return _enter(Symbol(name, negative=True), unit, meaning, chapters)
+real, positive, negative = _symbols(real=True), _symbols(positive=True), _symbols(negative=True)
 
 
 def matrix(name: str, rows: int, columns: int, unit: str, meaning: str, *chapters: str) -> Any:

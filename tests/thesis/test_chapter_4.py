@@ -18,14 +18,6 @@ from rockeom.thesis.tables import TABLES, computed
 
 from .wrong import notices
 
-NUMBERS = [number for number in EQUATIONS if number[0] in "4B"]
-
-
-def test_every_equation_of_the_chapter_is_there():
-    """44 of chapter 4, two of them not printed, and 13 of appendix B."""
-    assert [f"4-{i}" for i in range(1, 45)] + [f"B-{i}" for i in range(1, 14)] == NUMBERS
-    assert [n for n in NUMBERS if not EQUATIONS[n].printed] == ["4-25", "4-26", "4-43"]
-
 
 @pytest.mark.parametrize(("number", "speed"), [("4-31", 0.3), ("4-31", 0.78), ("4-38", 0.47)])
 def test_moved_limit_of_a_band_is_noticed(number, speed):

@@ -13,13 +13,12 @@ from rockeom.thesis import (
     EQUATIONS,
     Verdict,
     decide,
-    entry,
     equation,
     notation as th,
     verification,
 )
 from rockeom.thesis.checks import Means
-from rockeom.thesis.equation import Kind, says
+from rockeom.thesis.equation import says
 from tests.refusals import refused, refuses
 
 from .wrong import notices, slips
@@ -30,14 +29,6 @@ def test_equation_is_decided(number):
     decision = decide(number)
     assert decision.verdict.passes, decision.why
     assert decision.findings
-
-
-def test_every_symbol_has_its_entry():
-    for number, one in EQUATIONS.items():
-        for symbol in one.symbols:
-            found = entry(symbol, one.chapter)
-            assert found.unit, (number, symbol)
-            assert found.meaning, (number, symbol)
 
 
 WRONG = [n for n, one in EQUATIONS.items() if one.is_erratum]
@@ -130,15 +121,6 @@ def test_equation_without_check_does_not_pass(monkeypatch):
     assert not verification.verify(["2-6", "2-9"]).passes
 
 
-def test_order_is_that_of_the_thesis():
-    def place(number: str) -> tuple[str, int, str]:
-        chapter, _, rest = number.partition("-")
-        digits = rest.rstrip("abcd")
-        return chapter, int(digits), rest[len(digits) :]
-
-    assert sorted(EQUATIONS, key=place) == list(EQUATIONS)
-
-
 def test_number_that_is_not_there_is_told_with_those_that_are():
     assert refused(equation, "5-99") == ("number", "5-99")
     assert refused(equation, "7-1") == ("number", "7-1")
@@ -160,8 +142,6 @@ def test_form_that_is_not_there_is_refused():
 
 def test_equations_typeset():
     for number, one in EQUATIONS.items():
-        assert isinstance(one.kind, Kind), number
-        assert one.section, number
         for form in ("right", *(["printed"] if one.printed else [])):
             text = one.latex(form)
             assert text.count("{") == text.count("}"), (number, text)

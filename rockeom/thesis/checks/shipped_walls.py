@@ -4,8 +4,8 @@ The equation of motion of a structure, with its functions put in, has to be that
 the forces and energies of the thesis put in. Tendons are elastic and on the centreline.
 """
 
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Iterable, Mapping
+from types import MappingProxyType
 
 import sympy as sp
 from sympy import cos, sin
@@ -14,7 +14,7 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.rocking import RockingModel
 from rockeom.thesis import notation as th
-from rockeom.thesis.checks.check import Checks, Findings, derived, vanishes
+from rockeom.thesis.checks.check import Check, Checks, Findings, derived, states, vanishes
 from rockeom.thesis.checks.engine import residual, shipped
 from rockeom.thesis.checks.wall import HALF_WIDTH, REMAINS, placed, reduced, right
 from rockeom.thesis.equation import BOTH, Equation
@@ -62,47 +62,34 @@ def by_displacement(expr: sp.Expr) -> sp.Expr:
     return expr.xreplace(put).subs(1 - th.Delta**2 / th.H**2, cosine**2)
 
 
-def agree(what: str, thesis: sp.Expr, model: sp.Expr) -> Findings:
-    """Check that two functions of Delta are the same on either side."""
-    for side in BOTH:
-        rest = (thesis - by_displacement(model(side))).subs(sp.Abs(th.Delta), side * th.Delta)
-        where = f"Delta {'>' if side > 0 else '<'} 0"
-        yield vanishes(f"thesis minus {what}, {where}", placed(rest, side), reduced)
+def equals(
+    name: str, structures: Iterable[str], numbers: Mapping[sp.Symbol, int] = MappingProxyType({})
+) -> tuple[Check, ...]:
+    """Checks against a function of shipped walls, or the force of their tendons, of Delta."""
+
+    def check(structure: str) -> Check:
+        def value(side: int) -> sp.Expr:
+            exact = of_function(structure, name, side)
+            if name == "rotation_centre":  # 4-8 counts from the edge
+                exact = HALF_WIDTH - exact
+            return put(by_displacement(exact), side)
+
+        def put(expr: sp.Expr, side: int) -> sp.Expr:
+            return placed(expr.subs(numbers).subs(sp.Abs(th.Delta), side * th.Delta), side)
+
+        route = f"{name.replace('_', ' ')} of {structure}"
+        return derived(route, states(value, put=put, reduce=reduced))
+
+    return tuple(map(check, structures))
 
 
-def of_function(structure: str, name: str) -> Callable[[int], sp.Expr]:
-    """A function of a shipped wall on either side, by the symbols of the thesis."""
+def of_function(structure: str, name: str, side: int) -> sp.Expr:
+    """A function of a shipped wall by the symbols of the thesis; its tendon is elastic."""
     model = shipped(structure)
-    (value,) = (one.value for one in model.functions if one.name == name)
-    return lambda side: in_thesis_symbols(model, with_geometry(model, value), side)
-
-
-# --- the rotation centre and the tendon
-
-
-def _rotation_centre(equation: Equation, *relations: sp.Eq) -> Findings:
-    numbers = {th.C_1: HALF_WIDTH - REMAINS, th.C_2: REMAINS}
-    stated = HALF_WIDTH - relations[0].rhs.subs(numbers)
-    for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS, "controlled_wall"):
-        yield from agree(f"b of {structure}", stated, of_function(structure, "rotation_centre"))
-
-
-def _moving_lever(equation: Equation, *relations: sp.Eq) -> Findings:
-    lever = of_function(ABOUT_MOVING_CENTRE, "lever")
-    yield from agree(f"lever of {ABOUT_MOVING_CENTRE}", relations[0].rhs, lever)
-
-
-def _tendon_force(equation: Equation, *relations: sp.Eq) -> Findings:
-    stated = relations[0].rhs.subs(th.B, HALF_WIDTH)
-    for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS):
-        model = shipped(structure)
-        mode = model.mode("right")
-        force = mode.put(mode.quantities["tendon_force"][1], "right")  # its tendon is elastic
-        of_side = partial(in_thesis_symbols, model, with_geometry(model, force))
-        yield from agree(f"force of the tendon of {structure}", stated, of_side)
-        for elastic in (one.value for one in model.functions if one.name == "elastic_force"):
-            of_side = partial(in_thesis_symbols, model, with_geometry(model, elastic))
-            yield from agree(f"weight of the tendon of {structure}", stated, of_side)
+    mode = model.mode("right")
+    values = {one.name: one.value for one in model.functions}
+    value = values[name] if name in values else mode.put(mode.quantities[name][1], "right")
+    return in_thesis_symbols(model, with_geometry(model, value), side)
 
 
 # --- the equations of motion
@@ -157,11 +144,20 @@ def _substitute_gravity(structure: str) -> Callable:
     return find
 
 
+_TENDON, _HALF_WIDTH = (ABOUT_MOVING_CENTRE, ABOUT_CORNERS), {th.B: HALF_WIDTH}
+
 CHECKS: Checks = {
-    "4-8": derived("rotation centres of the shipped walls", _rotation_centre),
-    "4-16": derived("tendons of the shipped walls", _tendon_force),
+    "4-8": equals(
+        "rotation_centre",
+        (OSCILLATOR, *_TENDON, "controlled_wall"),
+        {th.C_1: HALF_WIDTH - REMAINS, th.C_2: REMAINS},
+    ),
+    "4-16": (
+        *equals("tendon_force", (OSCILLATOR, *_TENDON), _HALF_WIDTH),
+        *equals("elastic_force", _TENDON, _HALF_WIDTH),
+    ),
     "4-27": derived(f"motion of {OSCILLATOR}, with 4-16, 4-18, 4-28 and 4-39", _oscillator),
     "4-32": derived(f"motion of {ABOUT_CORNERS}", _substitute_gravity(ABOUT_CORNERS)),
-    "4-37": derived(f"lever of {ABOUT_MOVING_CENTRE}", _moving_lever),
+    "4-37": equals("lever", [ABOUT_MOVING_CENTRE]),
     "4-40": derived(f"motion of {ABOUT_MOVING_CENTRE}", _substitute_gravity(ABOUT_MOVING_CENTRE)),
 }
