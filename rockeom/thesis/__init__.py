@@ -5,7 +5,7 @@
     thesis.equation("5-34")          # typeset in Jupyter
     thesis.equation("2-9").reason    # why the printed form is wrong
     thesis.decide("2-9").verdict     # runs its checks
-    thesis.verify().counts           # all of them, in a minute or two
+    thesis.verify().counts           # all of them, in some seconds
 
 Needs SymPy, as `rockeom.symbolic` does.
 """

@@ -10,7 +10,7 @@ from rockeom.thesis import EQUATIONS, Decision, Verdict, equation, verify
 DESCRIPTION = """\
 Derive, reproduce or compare every numbered equation of the thesis, and print the verdicts and
 their counts. A printed form that is wrong must fail its checks, and the corrected one pass them.
-Takes a minute or two. The exit code is 1 if any check fails or any equation has none.
+Takes less than a minute. The exit code is 1 if any check fails or any equation has none.
 """
 EPILOG = """\
 examples:
