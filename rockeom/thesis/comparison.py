@@ -8,7 +8,6 @@ The rest are polynomials in sines and cosines; division by sin**2 + cos**2 - 1 d
 is zero. None of the engine's simplification is used for it.
 """
 
-import math
 import random
 from collections.abc import Mapping
 from functools import lru_cache
@@ -153,45 +152,14 @@ def differs_somewhere(difference: sp.Expr) -> bool:
     False decides nothing: there may be no number, or one too close to zero to tell.
     """
     draw = random.Random(1)
-    unknown = difference.atoms(sp.Symbol, AppliedUndef, sp.Derivative)
-    at = {x: sp.Rational(draw.randrange(100, 900), 1000) for x in sorted(unknown, key=str)}
+    unknown = difference.free_symbols | difference.atoms(AppliedUndef, sp.Derivative)
+    at = {x: sp.Float(draw.randrange(100, 900), 50) / 1000 for x in sorted(unknown, key=str)}
     if any(x.is_negative or x.is_integer for x in at):
         return False
     for radius, _, height in (p for p in POLAR if p[0] in at):
-        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at).evalf(50)
-    try:
-        rough, terms = _in_floats(difference, {x: float(v) for x, v in at.items()})
-        return math.isfinite(terms) and abs(rough) > max(1e-9, 1e-11 * terms)
-    except (ArithmeticError, TypeError, ValueError):
-        pass  # with other functions: many times as slowly
-    value = difference.xreplace({x: at[x] for x in at if not x.is_Symbol})
-    value = value.evalf(15, subs=at, maxn=40)
+        at[radius] = sp.sqrt(PIER["half_width"] ** 2 + height**2).xreplace(at)
+    value = difference.xreplace(at).evalf(15, maxn=40)
     return bool(value.is_number and value.is_finite and abs(value) > 1e-9)
-
-
-def _in_floats(expr: sp.Expr, at: Mapping[sp.Expr, float]) -> tuple[float, float]:
-    """The value of an expression, and the sum of its terms' absolute values.
-
-    Raises TypeError for other than sums, products, real powers, sines and cosines, and
-    ArithmeticError or ValueError where such a power is none.
-    """
-    if expr in at:
-        return at[expr], abs(at[expr])
-    if expr.is_Number or expr.is_NumberSymbol:
-        return float(expr), abs(float(expr))
-    if not isinstance(expr, sp.Add | sp.Mul | sp.Pow | sp.sin | sp.cos):
-        raise TypeError(f"{expr.func} is not evaluated")
-    values, sizes = zip(*(_in_floats(e, at) for e in expr.args), strict=True)
-    if isinstance(expr, sp.Add):
-        return math.fsum(values), math.fsum(sizes)
-    if isinstance(expr, sp.Mul):
-        return math.prod(values), math.prod(sizes)
-    if isinstance(expr, sp.Pow):
-        power = math.pow(*values)
-        # what the base may be wrong by, its terms being larger than their sum
-        return power, abs(power) * (1 + abs(values[1])) * sizes[0] / abs(values[0])
-    turned = math.sin(*values) if isinstance(expr, sp.sin) else math.cos(*values)
-    return turned, 1.0 + sizes[0]
 
 
 def differences(

@@ -128,8 +128,6 @@ class _Printer(Notation):
         )
         return f"{self._print(expr.lhs)} {sign} {self._print(expr.rhs)}"
 
-    _print_Equality = _print_Relational
-
     def _print_Piecewise(self, expr: sp.Piecewise) -> str:
         rows = []
         for value, condition in expr.args:
@@ -140,8 +138,6 @@ class _Printer(Notation):
     def _print_MatrixBase(self, expr: Any) -> str:
         rows = [" & ".join(self._print(e) for e in expr.row(i)) for i in range(expr.rows)]
         return r"\begin{pmatrix} " + r" \\ ".join(rows) + r" \end{pmatrix}"
-
-    _print_ImmutableDenseMatrix = _print_MutableDenseMatrix = _print_MatrixBase
 
     def _print_AppliedUndef(self, expr: Any, exp: str | None = None) -> str:
         """A function that the thesis does not state: its name."""
@@ -181,15 +177,6 @@ class _Printer(Notation):
         return f"{name}{power} {argument}"
 
     _print_log = _print_sign = _print_Function
-
-    def _print_ExpBase(self, expr: Any, exp: str | None = None) -> str:
-        text = f"e^{{{self._print(expr.args[0])}}}"
-        return rf"\left({text}\right)^{{{exp}}}" if exp else text
-
-    def _print_Pow(self, expr: sp.Expr) -> str:
-        if expr.base.is_Function and expr.exp.is_Integer and expr.exp > 0:
-            return self._print(expr.base, exp=str(expr.exp))
-        return super()._print_Pow(expr)
 
 
 def _with_angles(expr: Any, printer: _Printer) -> Any:

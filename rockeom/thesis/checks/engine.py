@@ -136,9 +136,12 @@ def slender_start(side: int) -> sp.Expr:
     return rectangular(acceleration(shipped("slender_block"), side).subs(at_impact))
 
 
-def force_at_impact(model: RockingModel, side: int, axis: int) -> sp.Expr:
+def force_at_impact(
+    model: RockingModel, side: int, axis: int, start: Callable[[int], sp.Expr] = slender_start
+) -> sp.Expr:
+    """Force next to an impact, with the angular acceleration that the motion starts with."""
     exact = force(model, side, axis).subs({THETA: 0, GROUND_X: 0})
-    return exact.subs(THETA_DD, slender_start(side))
+    return exact.subs(THETA_DD, start(side))
 
 
 def resting_force(model: RockingModel, side: int, axis: int) -> sp.Expr:
