@@ -34,9 +34,7 @@ POTENTIAL_ENERGY = {
     ),
     "B-3 B-2 with 4-9": Kind.CLOSED_FORM(th.u_tendon, RISE),
     "B-4 gravitational energy, as 4-18": Kind.APPROXIMATION(
-        th.U_of,
-        th.m_T * th.g * RISE,
-        remark="In mJ where lengths are in mm.",
+        th.U_of, th.m_T * th.g * RISE, remark="In mJ where lengths are in mm."
     ),
 }
 

@@ -15,7 +15,7 @@ UPLIFT = {
         (sp.Gt(th.a_peak, g * th.B / th.H),),
         remark="Needed for overturning, but not enough for it. B and H are the whole width and "
         "height; only their ratio counts.",
-    ),
+    )
 }
 
 

@@ -304,14 +304,13 @@ HARMONIC_MOTION = {
         -M_e * th.Z * sin(16 * pi * th.t),
         illegible="The scanned text has lost the dots of the first term.",
         remark="8 Hz, in seconds.",
-    ),
+    )
 }
 
 LATER_TENDON = {
     "4-44 elastic energy of the tendon from 111 kN on": Kind.CLOSED_FORM(
-        elastic_energy("526.12", "98.506"),
-        remark="The length of the tendon is that of 4-20.",
-    ),
+        elastic_energy("526.12", "98.506"), remark="The length of the tendon is that of 4-20."
+    )
 }
 
 CHAPTER_4 = (

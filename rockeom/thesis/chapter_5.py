@@ -37,7 +37,7 @@ COLUMN = {
         Float("571.8e3"),
         remark="T_fixed is the 0.092 s of the rubber pad, also where the feet are of steel (runs "
         "1 and 3); with their 0.112 s k is 385.8 kN/m.",
-    ),
+    )
 }
 
 

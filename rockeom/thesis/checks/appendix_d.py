@@ -13,12 +13,7 @@ from rockeom.thesis.equation import Equation
 # --- Lagrange's equation in time: SymPy differentiates by it, the engine knows rates instead
 
 theta_t, u_t = sp.Function("theta")(th.t), sp.Function("u")(th.t)
-IN_TIME = {
-    th.theta: theta_t,
-    th.u: u_t,
-    th.theta_d: theta_t.diff(th.t),
-    th.u_d: u_t.diff(th.t),
-}
+IN_TIME = {th.theta: theta_t, th.u: u_t, th.theta_d: theta_t.diff(th.t), th.u_d: u_t.diff(th.t)}
 AT_ONE_TIME = {theta_t.diff(th.t, 2): th.theta_dd, u_t.diff(th.t, 2): th.u_dd}
 AT_ONE_TIME |= {value: symbol for symbol, value in reversed(IN_TIME.items())}
 

@@ -296,10 +296,7 @@ _PIVOT = f"displacement by the rotation of {MODEL_A}, put in"
 
 CHECKS: check.Checks = {
     "5-1": reproduced("period of flexible_structure at theta = 0; 5-36", _period),
-    "5-2": (
-        derived(_PIVOT, _rotation),
-        reproduced("theta/alpha_e of Figure 5-6", _figure_5_6),
-    ),
+    "5-2": (derived(_PIVOT, _rotation), reproduced("theta/alpha_e of Figure 5-6", _figure_5_6)),
     "5-4": (
         derived(f"energies of {MODEL_A}, conserved between impacts", ratio_of_peaks(MODEL_A)),
         reproduced("range and average of r, by Figure 5-6", _average),

@@ -247,10 +247,7 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
 
 def cart_forces(model: RockingModel, side: int) -> dict:
     mass = sum(b.mass for b in model.mode(MODE[side]).bodies)
-    return {
-        th.k_u: model.equations(MODE[side]).elastic_forces[0],
-        th.P_t: -mass * GROUND_X,
-    }
+    return {th.k_u: model.equations(MODE[side]).elastic_forces[0], th.P_t: -mass * GROUND_X}
 
 
 # --- Model C
@@ -392,8 +389,7 @@ ROUTES: dict[str, dict[str, Derived]] = {
         "5-26 5-29": _of(SPRINGS, linear_lift_off_force),
         "5-31": Derived(MODEL_A, lambda m, s: pushover(m, MODE[s])),
         "5-32": Derived(
-            MODEL_A,
-            lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS))),
+            MODEL_A, lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS)))
         ),
         "5-33": _of(MODEL_A, falling_branch),
     },

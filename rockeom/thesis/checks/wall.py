@@ -126,10 +126,7 @@ def turned(side: int, from_centre: sp.Expr, height: sp.Expr | int = 0) -> tuple[
     from_centre : its distance from O along the base, on the side that lifts.
     """
     x, y = -side * from_centre, height
-    return (
-        x * cos(th.theta) + y * sin(th.theta) - x,
-        -x * sin(th.theta) + y * cos(th.theta) - y,
-    )
+    return (x * cos(th.theta) + y * sin(th.theta) - x, -x * sin(th.theta) + y * cos(th.theta) - y)
 
 
 def placed(expr: sp.Expr, side: int) -> sp.Expr:
