@@ -26,8 +26,7 @@ ENERGIES = {
         th.r,
         th.E_after / th.E_before,
         th.U_after / th.U_before,
-        (cos(alpha - Abs(th.theta_after)) - cos(alpha))
-        / (cos(alpha - Abs(th.theta_before)) - cos(alpha)),
+        PEAK_AFTER / PEAK_BEFORE,
     ),
     "3-4 energy of a hypothetical rotational spring": Kind.DEFINITION(
         th.U_rot, Rational(1, 2) * th.k_rot * theta**2
@@ -35,37 +34,30 @@ ENERGIES = {
 }
 
 
+ANGLE = alpha - Abs(theta)
+ACROSS = th.a_gx + s * R * theta_d**2 * sin(ANGLE) + R * theta_dd * cos(ANGLE)
+UPWARD = -R * theta_d**2 * cos(ANGLE) + s * R * theta_dd * sin(ANGLE)
+"""Acceleration of the centroid, 3-6 and 3-7."""
+
 SUPPORT_FORCES = {
     (
         "3-5 acceleration of the centroid: of the ground, and of the turn about the pivot"
     ): Kind.DEFINITION(th.u_c_dd, th.a_g + th.u_cg_dd),
     "3-6 horizontal acceleration of the centroid": Kind.CLOSED_FORM(
         th.u_cx_dd,
-        th.a_gx
-        + s * R * theta_d**2 * sin(alpha - Abs(theta))
-        + R * theta_dd * cos(alpha - Abs(theta)),
+        ACROSS,
     ),
     "3-7 vertical acceleration of the centroid": Kind.CLOSED_FORM(
         th.u_cy_dd,
-        -R * theta_d**2 * cos(alpha - Abs(theta)) + s * R * theta_dd * sin(alpha - Abs(theta)),
+        UPWARD,
     ),
     "3-8 horizontal force of the support": Kind.CLOSED_FORM(
         th.F_H,
-        m
-        * (
-            th.a_gx
-            + s * R * theta_d**2 * sin(alpha - Abs(theta))
-            + R * theta_dd * cos(alpha - Abs(theta))
-        ),
+        m * ACROSS,
     ),
     "3-9 vertical force of the support": Kind.CLOSED_FORM(
         th.F_V,
-        m
-        * (
-            g
-            - R * theta_d**2 * cos(alpha - Abs(theta))
-            + s * R * theta_dd * sin(alpha - Abs(theta))
-        ),
+        m * (g + UPWARD),
     ),
     "3-10 angular acceleration next to an impact, rectangular block, from 2-3": Kind.APPROXIMATION(
         th.theta_dd_impact, -s * 3 * g / (4 * R) * alpha

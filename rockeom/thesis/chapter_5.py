@@ -105,6 +105,19 @@ VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) 
 """theta_d2 / theta_d1, printed above 5-14."""
 
 
+def angular_momentum(rate, side):
+    """Of both masses about the pivot on the side of the turn, or the other one."""
+    return sum(
+        mass * radius * rate * cos(angle) * height
+        + side * mass * radius * rate * sin(angle) * B
+        + inertia * rate
+        for mass, radius, angle, height, inertia in (
+            (m_e, R_e, alpha_e, H_e, th.I_eg),
+            (m_b, R_b, alpha_b, th.H_b, th.I_bg),
+        )
+    )
+
+
 def turning(mass, radius, angle, side):
     """Angular acceleration by the moments of one of the masses."""
     return -mass * radius * g / th.I_O * (th.a_g / g * cos(angle) + side * sin(angle))
@@ -137,22 +150,12 @@ MODEL_A = {
     ),
     "5-12 angular momentum about the impending pivot, before an impact": Kind.RESTITUTION(
         th.L_before,
-        m_e * R_e * th.theta_d1 * cos(alpha_e) * H_e
-        - m_e * R_e * th.theta_d1 * sin(alpha_e) * B
-        + th.I_eg * th.theta_d1
-        + m_b * R_b * th.theta_d1 * cos(alpha_b) * th.H_b
-        - m_b * R_b * th.theta_d1 * sin(alpha_b) * B
-        + th.I_bg * th.theta_d1,
+        angular_momentum(th.theta_d1, -1),
         ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) + th.I_bg)) * th.theta_d1,
     ),
     "5-13 angular momentum about the new pivot, after an impact": Kind.RESTITUTION(
         th.L_after,
-        m_e * R_e * th.theta_d2 * cos(alpha_e) * H_e
-        + m_e * R_e * th.theta_d2 * sin(alpha_e) * B
-        + th.I_eg * th.theta_d2
-        + m_b * R_b * th.theta_d2 * cos(alpha_b) * th.H_b
-        + m_b * R_b * th.theta_d2 * sin(alpha_b) * B
-        + th.I_bg * th.theta_d2,
+        angular_momentum(th.theta_d2, 1),
         ((m_e * (H_e**2 + B**2) + th.I_eg) + (m_b * (th.H_b**2 + B**2) + th.I_bg)) * th.theta_d2,
     ),
     "5-14 ratio of kinetic energies at an impact": Kind.RESTITUTION(th.r, VELOCITY_RATIO**2),
@@ -163,6 +166,12 @@ MODEL_A = {
 
 LIFT_OFF_FORCE = W / H_e * (B - W * th.H_c / (2 * th.k_f * B))
 """5-26 with the centroid of the system."""
+
+
+def after_lift_off(angle):
+    """Force on one spring at a rotation."""
+    return W * th.R_c * sin(th.alpha_c - angle) / (R_e * cos(alpha_e - angle))
+
 
 MODEL_B = {
     "5-15 equivalent cart": Kind.MOTION((m_e + m_b) * th.u_dd + th.k_u, th.P_t),
@@ -213,7 +222,7 @@ MODEL_B = {
     ),
     "5-31 force after lift-off": Kind.CLOSED_FORM(
         th.P,
-        W * th.R_c * sin(th.alpha_c - theta) / (R_e * cos(alpha_e - theta)),
+        after_lift_off(theta),
         remark="Exact where the pressed foot is held horizontally, about which the moments are "
         "taken. Where the centre of the base is guided instead, as by the two springs, the exact "
         "force is greater by the factor 1 + (B/H_e) tan(theta).",
@@ -221,10 +230,7 @@ MODEL_B = {
     ),
     "5-32 force just after lift-off": Kind.CLOSED_FORM(
         th.P_crit2,
-        W
-        * th.R_c
-        * sin(th.alpha_c - W / (2 * th.k_f * B))
-        / (R_e * cos(alpha_e - W / (2 * th.k_f * B))),
+        after_lift_off(W / (2 * th.k_f * B)),
         sides=POSITIVE,
     ),
     (

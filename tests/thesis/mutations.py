@@ -226,7 +226,7 @@ PRINTED = {
     ),
     "chapter_3": (
         ("3-2", "Abs(theta)", "theta"),
-        ("3-9", "g\n", "2 * g\n"),
+        ("3-9", "g + UP", "2 * g + UP"),
         ("3-10", "3 * g / (4", "3 * g / (5"),
         ("3-12", "- R * th.theta", "+ R * th.theta"),
         ("3-12", "Rational(3, 4)", "Rational(1, 2)"),
@@ -251,12 +251,12 @@ PRINTED = {
         ("5-2", "atan(th.B_measured / th.H", "atan(th.H_measured / th.B"),
         ("5-7", "1 / (2 * pi)", "1 / pi"),
         ("5-11", "alpha_e + s * theta, s)", "alpha_e + s * theta, 1)"),
-        ("5-12", "- m_b * R_b", "+ m_b * R_b"),
+        ("5-12", "theta_d1, -1)", "theta_d1, 1)"),
         ("5-20", "W / 2 - th.k_f", "W / 2 + th.k_f"),
         ("5-29", "FORCE * th.u,", "FORCE * 2 * th.u,"),
         ("5-29", "FORCE * th.u,", "FORCE * th.u**2,"),
         ("5-30", "m_b * th.H_b", "m_b * H_e"),
-        ("5-31", "W * th.R_c", "2 * W * th.R_c"),
+        ("5-31", "after_lift_off", "2 * after_lift_off"),
     ),
     "appendix_b": (
         ("B-2", "th.B * Abs", "2 * th.B * Abs"),
