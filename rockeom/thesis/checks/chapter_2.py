@@ -255,13 +255,6 @@ def decrement(r: float, start: float) -> float:
     return math.log(start / peak_after(r, start, 2)) / (2 * math.pi)
 
 
-def _table_2_3(equation: Equation, *relations: sp.Eq) -> Findings:
-    table = TABLES["2-3"]
-    for r, percent in zip(*map(table.numbers, ("r by 2-6", "damping by 2-16")), strict=True):
-        damping = 100 * relations[0].rhs.subs(th.r, r)
-        yield close("damping of a wall in per cent", damping, percent, 0.005)
-
-
 def _decrement(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-16 lies between the decrements of small rocking and of rocking from 0.3 alpha."""
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
@@ -466,7 +459,6 @@ CHECKS: check.Checks = {
     ),
     "2-16": (
         transcribed("the function of rockeom.analysis", agrees(formulas.damping.priestley_damping)),
-        check.reproduced("damping of Table 2-3, of the r printed there", _table_2_3),
         derived(
             "decrement of the slender block by the energies of its peaks",
             _decrement,
