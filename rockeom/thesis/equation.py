@@ -208,7 +208,7 @@ class Equation:
             return ()
         pairs = zip(self.printed, self.right, strict=True)
         components = (zip(stated(a), stated(b), strict=True) for a, b in pairs)
-        return tuple(sp.expand(fractions(a - b)) for each in components for a, b in each)
+        return tuple(_factored(fractions(a - b)) for each in components for a, b in each)
 
     @property
     def excess_lines(self) -> list[str]:
@@ -293,3 +293,11 @@ def stated(relation: sp.Eq) -> list[sp.Expr]:
 def fractions(expr: sp.Expr) -> sp.Expr:
     """An expression with its decimal numbers as fractions, so that equal ones cancel."""
     return expr.xreplace({number: sp.Rational(str(number)) for number in expr.atoms(sp.Float)})
+
+
+def _factored(expr: sp.Expr) -> sp.Expr:
+    """An expression in factors, its functions left as they are."""
+    every = sorted(expr.atoms(sp.Function), key=sp.default_sort_key)
+    functions = {f: sp.Symbol(f"f_{i:02}") for i, f in enumerate(every)}
+    factors = sp.factor(expr.xreplace(functions))
+    return factors.xreplace({name: f for f, name in functions.items()})

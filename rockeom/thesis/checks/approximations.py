@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from typing import NamedTuple
 
 import sympy as sp
 from sympy import cos, sign
@@ -29,17 +30,11 @@ LIFT_OFF = sp.Dummy("lambda", positive=True)
 """W / (2 k_f B), the rotation 5-22, small where the springs are stiff."""
 
 
-@dataclass(frozen=True)
-class State:
+class State(NamedTuple):
     """Numbers for the engine's symbols, and what they are."""
 
     words: str
     numbers: Mapping[sp.Symbol, float]
-
-    def but(self, words: str, **changed: float) -> State:
-        """The same with other words, and other values of the symbols of these names."""
-        put = {x: changed[x.name] for x in self.numbers if x.name in changed}
-        return State(words, {**self.numbers, **put})
 
     def value(self, expr: sp.Expr) -> float:
         return float(expr.subs(self.numbers))
@@ -82,9 +77,11 @@ def half_way_to_lift_off() -> State:
 
 
 AT_IMPACT, HALF_WAY = first_impact(), half_way_to_lift_off()
-UPRIGHT = AT_IMPACT.but("the block of chapter 3, alpha = 11.8 deg, upright")
-LIFTING = HALF_WAY.but("the column of chapter 5 as it lifts off")
-RELEASED = HALF_WAY.but("the column of chapter 5 at 28 mm, as released", theta=0.0264)
+UPRIGHT = AT_IMPACT._replace(words="the block of chapter 3, alpha = 11.8 deg, upright")
+LIFTING = HALF_WAY._replace(words="the column of chapter 5 as it lifts off")
+RELEASED = State(
+    "the column of chapter 5 at 28 mm, as released", {**HALF_WAY.numbers, THETA: 0.0264}
+)
 
 
 @dataclass(frozen=True)

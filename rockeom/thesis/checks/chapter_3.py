@@ -70,18 +70,12 @@ def block_numbers() -> dict[sp.Symbol, float]:
     }
 
 
-def measured_peaks() -> list[float]:
-    """Peak rotations of Figure 3-3 [rad]."""
-    rotations = [float(str(row[1])) for row in FIGURE_3_3.rows]
-    return [float(np.radians(rotation)) for rotation in rotations if rotation]
-
-
 def impacts() -> Iterator[tuple[float, float, float]]:
     """Velocity before each impact of Figure 3-3, energy before it, and the r of 3-3."""
     numbers = block_numbers()
     (stated,) = EQUATIONS["3-2"].right
     energy = sp.lambdify(th.theta, stated.rhs.subs(numbers))
-    peaks = measured_peaks()
+    peaks = [np.radians(rotation) for rotation in FIGURE_3_3.numbers("rotation") if rotation]
     for before, after in pairwise(peaks):
         speed = np.sqrt(2 * energy(before) / numbers[th.I_o])
         yield -float(np.sign(before)) * speed, energy(before), energy(after) / energy(before)

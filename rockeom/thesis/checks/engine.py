@@ -155,21 +155,9 @@ def impulse(model: RockingModel, side: int):
     return model.impulse_map(MODE[side], MODE[-side])
 
 
-def momentum_before(model: RockingModel, side: int) -> sp.Expr:
-    return impulse(model, side).momentum[0]
-
-
-def momentum_after(model: RockingModel, side: int) -> sp.Expr:
-    return impulse(model, side).mass_matrix[0, 0] * THETA_D
-
-
 def energy_ratio(model: RockingModel, side: int) -> sp.Expr:
     assert model.velocity_ratio is not None  # all that rock on rigid ground have one
     return model.velocity_ratio**2
-
-
-def block_energy_ratio(model: RockingModel, side: int) -> sp.Expr:
-    return in_polar(energy_ratio(model, side))
 
 
 # --- statics of the two springs
@@ -209,14 +197,6 @@ def lift_off_sine(model: RockingModel) -> sp.Expr:
 def first_stiffness(model: RockingModel) -> sp.Expr:
     """dP/dtheta of the exact pushover at the upright position."""
     return sp.diff(pushover(model, "both"), THETA).subs(THETA, 0)
-
-
-def weight(model: RockingModel, side: int) -> sp.Expr:
-    return sp.expand(model.mode("flight").equations.gravity_forces[1])
-
-
-def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
-    return first_stiffness(model) * lift_off_sine(model)
 
 
 def displacement(model: RockingModel, side: int) -> sp.Expr:
@@ -350,9 +330,9 @@ ROUTES: dict[str, dict[str, Derived]] = {
         "D-28": Derived(MODEL_C, rows, coefficients),
     },
     "impact by the impulsive form of Lagrange's equations": {
-        "2-6": _of(BLOCK_MODEL, block_energy_ratio),
-        "5-12": _of(MODEL_A, momentum_before),
-        "5-13": _of(MODEL_A, momentum_after),
+        "2-6": Derived(BLOCK_MODEL, lambda m, s: in_polar(energy_ratio(m, s))),
+        "5-12": Derived(MODEL_A, lambda m, s: impulse(m, s).momentum[0]),
+        "5-13": Derived(MODEL_A, lambda m, s: impulse(m, s).mass_matrix[0, 0] * THETA_D),
         "5-14": _of(MODEL_A, energy_ratio),
     },
     "positions of the masses, differentiated": {
@@ -377,7 +357,7 @@ ROUTES: dict[str, dict[str, Derived]] = {
     },
     "equilibrium, the vertical motion condensed": {
         "5-16": Derived(SPRINGS, lambda m, s: settled(m)),
-        "5-17": _of(SPRINGS, weight),
+        "5-17": Derived(SPRINGS, lambda m, s: m.mode("flight").equations.gravity_forces[1]),
         "5-22": Derived(SPRINGS, lambda m, s: lift_off_sine(m)),
         "5-23": Derived(
             SPRINGS, lambda m, s: displacement(m, s).subs(sp.sin(THETA), lift_off_sine(m))
@@ -386,7 +366,7 @@ ROUTES: dict[str, dict[str, Derived]] = {
         "5-25 5-27": Derived(
             SPRINGS, lambda m, s: bilinear_pushover().contact_stiffness * PIER["u"]
         ),
-        "5-26 5-29": _of(SPRINGS, linear_lift_off_force),
+        "5-26 5-29": Derived(SPRINGS, lambda m, s: first_stiffness(m) * lift_off_sine(m)),
         "5-31": Derived(MODEL_A, lambda m, s: pushover(m, MODE[s])),
         "5-32": Derived(
             MODEL_A, lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS)))
