@@ -7,7 +7,6 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from rockeom.analysis.identification.measured import rotation_centre
-from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
@@ -15,7 +14,7 @@ from rockeom.thesis.checks import check
 from rockeom.thesis.checks.approximations import leads
 from rockeom.thesis.checks.chapter_3 import ratio_of_peaks
 from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
-from rockeom.thesis.checks.engine import MODE, MODEL_A, THETA, B, residual, shipped
+from rockeom.thesis.checks.engine import MODEL_A, THETA, B, moved, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation
 from rockeom.thesis.printed import COLUMN
@@ -32,12 +31,7 @@ def column_numbers() -> dict[sp.Symbol, float]:
     }  # fmt: skip
     n[th.W] = (n[th.m_e] + n[th.m_b]) * n[th.g]
     n[th.H_c] = (n[th.m_e] * n[th.H_e] + n[th.m_b] * n[th.H_b]) / (n[th.m_e] + n[th.m_b])
-    places = (
-        (th.R_e, th.alpha_e, th.H_e),
-        (th.R_b, th.alpha_b, th.H_b),
-        (th.R_c, th.alpha_c, th.H_c),
-    )
-    for radius, angle, height in places:
+    for radius, angle, height in ((th.R_e, th.alpha_e, th.H_e), (th.R_c, th.alpha_c, th.H_c)):
         n[radius] = float(np.hypot(n[th.B], n[height]))
         n[angle] = float(np.arctan2(n[th.B], n[height]))
     return n
@@ -51,7 +45,7 @@ def characteristic(rate: sp.Expr) -> sp.Expr:
     u, u_d, u_dd = PIER["u"], PIER["u_dot"], PIER["u_ddot"]
     still = {THETA: 0, PIER["theta_dot"]: 0, PIER["theta_ddot"]: 0, GROUND_X: 0}
     return residual(shipped("flexible_structure"), 1, 1).subs(
-        {**still, u: 1, u_d: rate, u_dd: rate**2}
+        still | {u: 1, u_d: rate, u_dd: rate**2}
     )
 
 
@@ -101,9 +95,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Findings:
     }
     upright = {sp.sin(angle): B / radius, sp.cos(angle): PIER["height"] / radius}
     for side in sides:
-        x = shipped(MODEL_A).mode(MODE[side]).bodies[0].position[0]
-        x = x.subs(SIDE, side)
-        displacement = x - x.subs(THETA, 0)
+        displacement = moved(shipped(MODEL_A), side)[0]
         stated = branch(relation, side).xreplace(symbols)
         stated = stated.subs(sp.atan(B / PIER["height"]), angle)
         left = sp.expand(angle - side * stated)
