@@ -41,7 +41,7 @@ def check_dimensions(one: Equation, relations: Relations) -> None:
     for relation in relations:
         left, right = map(units.rows, relation.args)
         for pair in zip(left * (len(right) // len(left)), right, strict=True):
-            _same(pair, relation)
+            _same(pair)
 
 
 def unit(text: str) -> sp.Expr:
@@ -56,12 +56,13 @@ def _factors(text: str) -> Iterator[sp.Expr]:
         yield UNITS[name] ** int(factor.removeprefix(name) or 1)
 
 
-def _same(dimensions: Iterable[sp.Expr], whole: sp.Basic) -> sp.Expr:
+def _same(dimensions: Iterable[sp.Expr]) -> sp.Expr:
     """Dimension that all terms have."""
     first, *others = [d for d in dimensions if d != 0] or [sp.S.Zero]
     for other in others:
         if other != first:
-            raise DimensionError(f"{first} and {other} in {whole}")
+            words = (str(d).replace("**", "").replace("*", " ") for d in (first, other))
+            raise DimensionError(" and ".join(words))
     return first
 
 
@@ -102,28 +103,28 @@ class _Units:
             return self.of(expr.expr) / sp.Mul(*by)
         if isinstance(expr, sp.Integral):
             (limits,) = expr.limits
-            return self.of(expr.function) * _same(map(self.of, limits), expr)
+            return self.of(expr.function) * _same(map(self.of, limits))
         if isinstance(expr, sp.Piecewise):
             for _, condition in expr.args:
                 self._compare(condition)
-            return _same([self.of(value) for value, _ in expr.args], expr)
+            return _same([self.of(value) for value, _ in expr.args])
         return self._of_operation(expr, [self.of(argument) for argument in expr.args])
 
     def _of_operation(self, expr: sp.Basic, arguments: list[sp.Expr]) -> sp.Expr:
         if isinstance(expr, sp.Add | sp.Min | sp.Max | sp.Abs):
-            return _same(arguments, expr)
+            return _same(arguments)
         if isinstance(expr, sp.Mul):
             return sp.Mul(*arguments)
         if isinstance(expr, sp.Pow) and (expr.exp.is_Number or arguments[0] == 1):
-            _same([arguments[1], sp.S.One], expr)
+            _same([arguments[1], sp.S.One])
             return arguments[0] ** expr.exp
         if isinstance(expr, sp.DiracDelta):
             return 1 / arguments[0]
         if not isinstance(expr, sp.sign):
-            _same([*arguments, sp.S.One], expr)
+            _same([*arguments, sp.S.One])
         return sp.S.One
 
     def _compare(self, condition: sp.Basic) -> None:
         """Compare the two sides of each inequality in a condition."""
         for inequality in condition.atoms(Relational):
-            _same(map(self.of, inequality.args), inequality)
+            _same(map(self.of, inequality.args))

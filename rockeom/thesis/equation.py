@@ -199,10 +199,10 @@ class Equation:
 
     @property
     def excess(self) -> tuple[sp.Expr, ...]:
-        """Of a wrong printed form, printed minus right for each component of each relation.
+        """Printed minus right form of a wrong equation, for each component of each relation.
 
-        Of the right sides where the left one is one symbol or function, else of left minus right
-        side.
+        The difference is that of the right sides where the left one is one symbol or function,
+        else that of left minus right side.
         """
         if not self.is_erratum:
             return ()

@@ -1,6 +1,6 @@
 """Every equation, its verdict and all that is said of it, as somebody last read and approved them.
 
-    python -m tests.thesis.test_approved        writes data/equations.csv anew
+    python -m tests.thesis.test_approved        writes data/equations.csv
 
 The digest is that of `described`.
 """

@@ -300,7 +300,7 @@ def coefficients(model: RockingModel, side: int) -> dict:
 
 
 def rows(model: RockingModel, side: int) -> list:
-    """What the rows of D-28 state: rates of u and theta, and what the others lack of zero."""
+    """Values that the rows of D-28 state: rates of u and theta, and residuals of the others."""
     return [PIER["u_dot"], residual(model, side, 1), THETA_D, residual(model, side, 0)]
 
 
