@@ -106,7 +106,7 @@ VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) 
 
 
 def angular_momentum(rate, side):
-    """Angular momentum of both masses; side : -1 about the other pivot, 1 about that of the turn."""
+    """Angular momentum of both masses; side : 1 about the pivot of the turn, -1 about the other."""
     return sum(
         mass * radius * rate * cos(angle) * height
         + side * mass * radius * rate * sin(angle) * B
