@@ -18,7 +18,8 @@ HEAD = "number,verdict,digest\n"
 def described(one: Equation) -> str:
     """All that the catalogue holds of an equation."""
     formulas = {"printed", "restored", "correction"}
-    lines = [f"{f.name}: {getattr(one, f.name)}" for f in fields(one) if f.name not in formulas]
+    lines = [one.kind.value]
+    lines += [f"{f.name}: {getattr(one, f.name)}" for f in fields(one) if f.name not in formulas]
     lines += [*(one.lines("printed") if one.printed else ()), *one.lines(), *one.excess_lines]
     for symbol in one.symbols:
         of = entry(symbol, one.chapter)
