@@ -2,7 +2,7 @@
 
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
 
@@ -10,6 +10,7 @@ import sympy as sp
 
 from rockeom.thesis.catalogue import EQUATIONS, equation
 from rockeom.thesis.checks import CHECKS, Check, Finding, Means
+from rockeom.thesis.checks.check import Findings, derived
 from rockeom.thesis.dimensions import DimensionError, check_dimensions
 from rockeom.thesis.equation import Equation, Relations
 
@@ -50,8 +51,6 @@ class Decision:
         Findings on the form that is right; all hold unless the verdict is `FAILED`.
     against : tuple of Finding
         Findings on the printed form of an erratum; at least one must not hold.
-    excess : tuple of Finding
-        Findings on the excess of an erratum, which vanishes in its domain only.
     seconds : float
         Time of the checks [s].
     """
@@ -61,7 +60,6 @@ class Decision:
     checks: tuple[Check, ...]
     findings: tuple[Finding, ...]
     against: tuple[Finding, ...]
-    excess: tuple[Finding, ...]
     seconds: float
 
     @property
@@ -71,8 +69,7 @@ class Decision:
             return "no check decides it, other than by its numbers typed twice"
         if self.verdict is not Verdict.FAILED:
             return ""
-        findings = (*self.findings, *self.excess)
-        wrong = [f"{f.what}: {f.rest}" for f in findings if not f.holds]
+        wrong = [f"{f.what}: {f.rest}" for f in self.findings if not f.holds]
         wrong += [f"as printed: {f.what}: {f.rest}" for f in self.against if not f.comparable]
         if wrong:
             return "; ".join(wrong)
@@ -155,19 +152,15 @@ def decide(number: str) -> Decision:
     one = equation(number)
     start = time.perf_counter()
     checks = CHECKS.get(one.number, ())
-    compared = _findings(one, one.right, checks)
-    findings = (*compared, _dimensions(one, one.right))
-    against: tuple[Finding, ...] = ()
-    if one.is_erratum:
-        against = (*_findings(one, one.printed, checks), _dimensions(one, one.printed))
-    excess = tuple(_excess(one)) if one.is_erratum else ()
+    findings = (*_findings(one, one.right, checks), *_domain(one))
+    against = _findings(one, one.printed, checks) if one.is_erratum else ()
     verdict = claim(one)
-    sound = bool(compared) and all(f.holds for f in (*findings, *excess))
+    sound = len(findings) > 1 and all(f.holds for f in findings)  # more than the dimensions
     seen = not one.is_erratum or any(not f.holds for f in against)
     seen = seen and all(f.comparable for f in against)
     if checks and not (sound and seen):
         verdict = Verdict.FAILED
-    return Decision(one, verdict, checks, findings, against, excess, time.perf_counter() - start)
+    return Decision(one, verdict, checks, findings, against, time.perf_counter() - start)
 
 
 def verify(
@@ -199,7 +192,7 @@ def _findings(
     one: Equation, relations: Relations, checks: tuple[Check, ...]
 ) -> tuple[Finding, ...]:
     findings: list[Finding] = []
-    for check in checks:
+    for check in (*checks, DIMENSIONS):
         try:
             findings += check.find(one, *relations)
         except Exception as error:  # one equation that cannot be compared must not hide the others
@@ -210,18 +203,20 @@ def _findings(
     return tuple(findings)
 
 
-def _dimensions(one: Equation, relations: Relations) -> Finding:
-    what = "dimensions of its terms"
+def _same_dimensions(equation: Equation, *relations: sp.Eq) -> Findings:
     try:
-        check_dimensions(one, relations)
+        check_dimensions(equation, relations)
     except DimensionError as error:
-        return Finding(what, str(error), False)
-    except KeyError as error:
-        return Finding(what, error.args[0], False, comparable=False)
-    return Finding(what, "alike", True)
+        yield Finding("dimensions of its terms", str(error), False)
+    else:
+        yield Finding("dimensions of its terms", "alike", True)
 
 
-def _excess(one: Equation) -> Iterator[Finding]:
+DIMENSIONS = derived("units of its symbols and numbers", _same_dimensions)
+"""A check of all equations, which decides none by itself."""
+
+
+def _domain(one: Equation) -> Findings:
     """Check that printed minus right form vanishes in the domain, and only there."""
     if one.domain is None:
         return

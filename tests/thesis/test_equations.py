@@ -74,7 +74,7 @@ def test_domain_of_a_printed_form_is_neither_too_wide_nor_too_narrow(number):
     assert decide(number).verdict is Verdict.LIMITED
     inside, outside = one.domain.inside, one.domain.outside
     for wrong in (replace(one.domain, inside=outside), replace(one.domain, outside=inside)):
-        findings = verification._excess(replace(one, domain=wrong))
+        findings = verification._domain(replace(one, domain=wrong))
         assert not all(f.holds for f in findings)
 
 
