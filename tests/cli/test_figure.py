@@ -14,25 +14,10 @@ from rockeom.thesis.figures import FIGURES, chapter_4_shaken
 
 FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
 PORTRAITS = {"2-10", "2-11", "2-12", "2-13", "2-14"}
-SHAKEN = {"4-69", "4-70", "4-71", "4-73", "4-72", "4-74", "4-78", "4-79"} | {
-    *("4-6", "4-7", "4-52", "4-53", "4-55", "4-66", "4-67", "4-68")
-}
+SHAKEN = {"4-69", "4-71", "4-73", "4-72", "4-78", "4-79", "4-6", "4-7", "4-66", "4-67", "4-68"}
 RELEASED = {"4-36", "4-38", "4-39", "4-40", "4-41", "4-42", "4-43"}
-OF_RECORDS = {
-    "3-4",
-    "3-7",
-    "3-9",
-    "3-10",
-    "3-13",
-    "3-15",
-    "3-16",
-    "3-17",
-    "3-22",
-    "4-50",
-    "4-51",
-    "5-15",
-}
-MODELS = {n for n in FIGURES if n.startswith("5-") and int(n[2:]) > 20} - {"5-28", "5-29"}
+OF_RECORDS = {"3-4", "3-7", "3-9", "3-10", "3-13", "3-15", "3-16", "3-17", "4-50", "4-51", "5-15"}
+MODELS = {n for n in FIGURES if n.startswith("5-") and int(n[2:]) > 20} - {"5-29"}
 SIMULATED = {"2-6", "2-16", "2-17", *FREE_VIBRATION, *PORTRAITS, *SHAKEN, *RELEASED, *MODELS}
 CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED | OF_RECORDS]
 

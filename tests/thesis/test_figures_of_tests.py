@@ -13,6 +13,7 @@ from rockeom.thesis.figures import (
     FIGURES,
     NOT_DRAWN,
     chapter_4_runs as runs,
+    chapter_4_shaken,
     chapter_4_tests as tests,
 )
 
@@ -125,7 +126,7 @@ def test_motions_meant_for_the_table_beside_the_design_spectrum():
 
 
 def test_steady_motion_of_figure_4_72_is_its_own_mirror_image():
-    u, v, speeds = tests.settled()
+    u, v, speeds = chapter_4_shaken.settled()
     assert u.max() == pytest.approx(-u.min(), rel=1e-3)
     assert np.unique(np.round(np.abs(speeds), 5)).size == 1
     assert v.max() == pytest.approx(np.abs(speeds).max(), rel=1e-2)

@@ -31,7 +31,7 @@ def test_verdicts_on_the_free_vibration():
     assert pytest.approx(0.835, abs=1e-3) == record.HOUSNER
     assert verdicts("4-11") == ["differs", "holds", "holds"]  # 38 % of the toe, not 26 %
     assert verdicts("4-29") == ["holds"]
-    assert verdicts("4-40") == ["holds", "differs"]  # r alternates with the side
+    assert verdicts("4-40") == ["differs", "holds", "differs"]  # r alternates with the side
 
 
 def test_inertia_of_the_figures_is_that_of_b_9_as_printed():
@@ -44,7 +44,7 @@ def test_inertia_of_the_figures_is_that_of_b_9_as_printed():
 def test_tendon_force_is_adequate_by_the_measure_of_the_text_and_lies_above_the_peaks():
     """R2 of 0.927; no part of the curve about upright can change the 2.4 to 7.2 kN."""
     judged = [one.judged() for one in statements.of_figure("4-20")]
-    assert [one.verdict.value for one in judged] == ["open", "holds", "differs"]
+    assert [one.verdict.value for one in judged] == ["open", "holds"]
     assert "2.4 to 7.2 kN" in judged[1].words
 
 

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
@@ -19,7 +18,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
 from rockeom.thesis import points_of_interest
-from rockeom.thesis.figures.drawn import OPEN, Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
@@ -32,6 +31,7 @@ PRINTED_HOUSNER = 0.89
 RATE, NOISE = 1000, float(np.radians(0.01))
 """Samples a second, and the standard deviation of the noise of a simulated record [rad]."""
 
+ROTATION = r"rotation $\theta$ [deg]"
 SPRING = 300.0
 """Stiffness of the hypothetical rotational spring in simulated records [N m/rad]; not printed."""
 
@@ -71,14 +71,14 @@ def release_delay() -> float:
 def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
     """The printed peaks and zeros, in degrees."""
     time, rotation = points()
-    ax.plot(time, np.degrees(rotation), "o", ms=4, zorder=5, label=label, **OPEN)
+    ax.plot(time, np.degrees(rotation), "o", ms=4, zorder=5, label=label, **dr.OPEN)
 
 
 def mark_quarters(ax: Axes, ratio: np.ndarray, quarters: np.ndarray, of: str) -> None:
     """Quarter periods (n,) against the peak that they begin or end at, in turn."""
     for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
         label = f"{of}, {name}"
-        ax.plot(ratio[first::2], quarters[first::2], mark, ms=4, label=label, **OPEN)
+        ax.plot(ratio[first::2], quarters[first::2], mark, ms=4, label=label, **dr.OPEN)
 
 
 # --- records in kind
@@ -119,13 +119,15 @@ def on_spring() -> rk.Structure:
 
 
 @cache
-def record(release: float = 7.876, seed: int = 0, spring: bool = False) -> analysis.MeasuredRecord:
-    """A simulated record in kind: five seconds from a release [deg], with its noise."""
+def record(
+    release: float = 7.876, seed: int = 0, spring: bool = False, noise: float = NOISE
+) -> analysis.MeasuredRecord:
+    """A simulated record in kind: five seconds from a release [deg], with noise [rad]."""
     structure = on_spring() if spring else BLOCK
     t = np.arange(5 * RATE) / RATE
     theta = rocking(structure, float(np.radians(release)), 5.0).at(t)["theta"]
-    noise = np.random.default_rng(seed).normal(0.0, NOISE, len(t))
-    return analysis.MeasuredRecord(t, {"theta": theta + noise}, {"theta": NOISE})
+    error = np.random.default_rng(seed).normal(0.0, noise, len(t))
+    return analysis.MeasuredRecord(t, {"theta": theta + error}, {"theta": noise})
 
 
 RUNS = ((7.876, 1), (6.5, 2), (5.0, 3), (3.5, 4))
@@ -141,7 +143,7 @@ def housner(ratio: float, duration: float = 5.0) -> rk.Response:
 # --- the motion
 
 
-@thesis_axes(Source.PRINTED, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.PRINTED, 7.2, 3.2)
 def figure_3_3(ax: Axes) -> None:
     """Rotation of the block after a release: the thirteen printed points.
 
@@ -156,12 +158,12 @@ def figure_3_3(ax: Axes) -> None:
     held = np.append(rotation[0], run["theta"])
     ax.plot(np.append(0.0, run.t + late), np.degrees(held), label=label)
     mark_points(ax)
-    ax.set(xlim=(0, 3.2), xlabel="time [s]", ylabel=r"rotation $\theta$ [deg]")
+    ax.set(xlim=(0, 3.2), xlabel=dr.TIME, ylabel=ROTATION)
     style.legend_above(ax)
 
 
-@thesis_panels(Source.IN_KIND, 7.2, 4.4)
-def figure_3_4(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 4.4, 2, sharex=True, height_ratios=(1.5, 1.0))
+def figure_3_4(trace: Axes, score: Axes) -> None:
     """How the thesis's algorithm finds peaks: the score of each sample, and SciPy's finder.
 
     A window of 500 samples moves along; its largest and its smallest sample have a point each. The
@@ -170,32 +172,27 @@ def figure_3_4(figure: Figure) -> None:
     the noise instead.
     """
     data = record()
-    scores = points_of_interest.importance_scores(data["theta"], 500)
-    scored = points_of_interest.points_by_score(data, "theta")
-    by_prominence = points_of_interest.points_by_prominence(data, "theta")
-    trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
-    trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)
-    for rows, mark, color, label in (
-        (by_prominence.peaks, "s", style.LINES[1], "find_peaks"),
-        (scored.peaks, "o", style.LINES[0], "score above the threshold"),
+    degrees = np.degrees(data["theta"])
+    trace.plot(data.time, degrees, lw=0.8, color=style.INK)
+    for points_of, mark, size, color, label in (
+        (points_of_interest.points_by_prominence, "s", 7, style.LINES[1], "find_peaks"),
+        (points_of_interest.points_by_score, "o", 4, style.LINES[0], "score above the threshold"),
     ):
-        size = 7 if mark == "s" else 4
+        rows = points_of(data, "theta").peaks
+        label = f"{label}: {len(rows)}"
         trace.plot(
-            data.time[rows], np.degrees(data["theta"][rows]), mark, ms=size, mfc="none",
-            color=color, label=f"{label}: {len(rows)}",
-        )  # fmt: skip
-    trace.set_ylabel(r"rotation $\theta$ [deg]")
+            data.time[rows], degrees[rows], mark, ms=size, mfc="none", color=color, label=label
+        )
+    trace.set_ylabel(ROTATION)
     trace.legend(loc="upper right", ncols=2)
+    scores = points_of_interest.importance_scores(data["theta"], 500)
     score.plot(data.time, scores, lw=0.8, color=style.LINES[0])
-    score.axhline(250, color=style.INK, ls="--", lw=0.8)
-    score.annotate(
-        "threshold", (1.0, 250), (4, 0), xycoords=("axes fraction", "data"),
-        textcoords="offset points", va="center",
-    )  # fmt: skip
-    score.set(ylabel="score [-]", xlabel="time [s]", xlim=(0, 5))
+    score.axhline(250, ls="--", **dr.THIN)
+    score.annotate("threshold", (5.0, 250), (4, 0), textcoords="offset points", va="center")
+    score.set(ylabel="score [-]", xlabel=dr.TIME, xlim=(0, 5))
 
 
-@thesis_axes(Source.PRINTED, 6.2, 3.6)
+@dr.thesis_axes(dr.Source.PRINTED, 6.2, 3.6)
 def figure_3_5(ax: Axes) -> None:
     """Quarter periods against the peak rotation: Figure 3-3, 2-5, and the block of any rotation.
 
@@ -207,24 +204,18 @@ def figure_3_5(ax: Axes) -> None:
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
     x = np.linspace(0.0, 0.8, 200)
-    ax.set_prop_cycle(color=style.LINES)
-    ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
-    ax.fill_between(
-        x, 0.9 * formulas.quarter_period(x, p), 1.1 * formulas.quarter_period(x, p), alpha=0.12,
-        lw=0, label="within 10 %",
-    )  # fmt: skip
-    ax.plot(x, formulas.exact_quarter_period(x * alpha, alpha, p), "--", label="any rotation")
+    slender = formulas.quarter_period(x, p)
+    exact = formulas.exact_quarter_period(x * alpha, alpha, p)
+    ax.plot(x, slender, color=style.LINES[0], label="2-5, slender")
+    ax.fill_between(x, 0.9 * slender, 1.1 * slender, alpha=0.12, lw=0, label="within 10 %")
+    ax.plot(x, exact, "--", color=style.LINES[1], label="any rotation")
     mark_quarters(ax, peaks / alpha, quarters, "Figure 3-3")
-    ax.set(
-        xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]",
-        ylabel="quarter period [s]",
-        xlim=(0, 0.8),
-        ylim=(0, 0.6),
-    )
+    ax.set(xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]", xlim=(0, 0.8), ylim=(0, 0.6))
+    ax.set_ylabel("quarter period [s]")
     ax.legend(loc="upper left")
 
 
-@thesis_axes(Source.PRINTED, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.PRINTED, 7.2, 3.2)
 def figure_3_6(ax: Axes) -> None:
     """Rotation in time: the printed points of Figure 3-3 and Housner's block with two r.
 
@@ -233,43 +224,37 @@ def figure_3_6(ax: Axes) -> None:
     is not printed.
     """
     time, rotation = points()
-    late = release_delay()
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(run.t, np.degrees(run["theta"]), line, lw=0.9, label=label)
-    moved = np.maximum(time - late, 0.0)
-    ax.plot(moved, np.degrees(rotation), "o", ms=4, label="Figure 3-3, measured", **OPEN)
-    ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
+    moved = np.maximum(time - release_delay(), 0.0)
+    ax.plot(moved, np.degrees(rotation), "o", ms=4, label="Figure 3-3, measured", **dr.OPEN)
+    ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=ROTATION)
     style.legend_above(ax)
 
 
-@thesis_panels(Source.IN_KIND, 7.6, 3.6)
-def figure_3_7(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.6, 3.6, columns=2, sharey=True)
+def figure_3_7(*axes: Axes) -> None:
     """Phase diagrams of the record in kind and of Housner's block with two r.
 
     The rate of the record is found by differentiation (a polynomial of degree 4 over 0.05 s), which
     rounds the jumps at the impacts. A is the first quarter, B the return half a cycle later.
     """
     derived = record().with_derivatives("theta", 0.05)
-    inside = derived.time < 2.4
-    for ax, ratio in zip(
-        figure.subplots(1, 2, sharey=True), (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER), strict=True
-    ):
-        ax.plot(
-            np.degrees(derived["theta"][inside]), derived["theta_dot"][inside], lw=0.8,
-            color=style.INK, label="record in kind",
-        )  # fmt: skip
+    early = derived.time < 2.4
+    degrees = np.degrees(derived["theta"][early])
+    for ax, ratio in zip(axes, (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER), strict=True):
+        ax.plot(degrees, derived["theta_dot"][early], label="record in kind", **dr.THIN)
         run = housner(ratio, 14.0)
         end = run.t < run.impacts[4].time
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(np.degrees(run["theta"][end]), run["theta_dot"][end], "--", lw=0.9, label=label)
         ax.annotate("A", (4.0, -0.66), ha="center", va="top")
         ax.annotate("B", (-3.2, 0.6), ha="center", va="bottom")
-        ax.set_xlabel(r"rotation $\theta$ [deg]")
+        ax.set(xlabel=ROTATION, ylabel=r"rate $\dot\theta$ [rad/s]")
+        ax.label_outer()
         style.legend_above(ax)
-        if not ax.get_subplotspec().colspan.start:
-            ax.set_ylabel(r"rate $\dot\theta$ [rad/s]")
 
 
 # --- energy
@@ -284,14 +269,15 @@ CURVES: dict[str, dict[str, Any]] = {
 }
 
 
-def draw_energies(ax: Axes, time: np.ndarray, rows: np.ndarray, **energies: np.ndarray) -> None:
-    """Energies (n,) by their names in `CURVES`, of some rows."""
+def draw_energies(ax: Axes, time: np.ndarray, end: float, **energies: np.ndarray) -> None:
+    """Energies (n,) by their names in `CURVES`, up to a time."""
+    rows = time < end
     for name, energy in energies.items():
         ax.plot(time[rows], energy[rows], **CURVES[name])
-    ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, None))
+    ax.set(xlabel=dr.TIME, ylabel="energy [J]", ylim=(0, None))
 
 
-@thesis_axes(Source.COMPUTED, 7.0, 3.2)
+@dr.thesis_axes(dr.Source.COMPUTED, 7.0, 3.2)
 def figure_3_8(ax: Axes) -> None:
     """Idealised energy of a rocking cycle: Housner's block, released as in Figure 3-3.
 
@@ -299,7 +285,7 @@ def figure_3_8(ax: Axes) -> None:
     """
     run = housner(R_HOUSNER)
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
-    end = run.t <= run.impacts[1].time + 0.4
+    end = run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
     draw_energies(ax, run.t, end, potential=potential, kinetic=kinetic, total=potential + kinetic)
     first = run.impacts[0].time
@@ -322,7 +308,7 @@ def energies_in_kind() -> tuple[analysis.MeasuredRecord, identification.Energies
     return derived, identification.record_energies(derived, BLOCK)
 
 
-@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+@dr.thesis_axes(dr.Source.IN_KIND, 7.0, 3.4)
 def figure_3_9(ax: Axes) -> None:
     """Energy of the block in a record in kind, whose block has a spring that nobody knows of.
 
@@ -331,15 +317,14 @@ def figure_3_9(ax: Axes) -> None:
     rate by differentiation over 0.05 s, which rounds the impacts.
     """
     derived, energies = energies_in_kind()
-    end = derived.time < 3
     parts = {"potential": energies.gravity, "kinetic": energies.kinetic}
-    draw_energies(ax, derived.time, end, **parts, total=energies.total)
+    draw_energies(ax, derived.time, 3.0, **parts, total=energies.total)
     start = float(identification.static_energy(BLOCK, np.radians(7.876)))
     ax.axhline(start, color=style.INK, lw=0.7, ls="--", label="at the release")
     style.legend_above(ax)
 
 
-@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+@dr.thesis_axes(dr.Source.IN_KIND, 7.0, 3.4)
 def figure_3_10(ax: Axes) -> None:
     """The same with the energy of the hypothetical spring, fitted to the record, 3-4.
 
@@ -349,8 +334,7 @@ def figure_3_10(ax: Axes) -> None:
     derived, energies = energies_in_kind()
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
-    end = derived.time < 3
     parts = {"potential": energies.gravity, "kinetic": energies.kinetic, "spring": stored}
     total, alone = energies.total + stored, energies.total
-    draw_energies(ax, derived.time, end, **parts, total=total, alone=alone)
+    draw_energies(ax, derived.time, 3.0, **parts, total=total, alone=alone)
     style.legend_above(ax)

@@ -3,38 +3,40 @@
 from functools import cache
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures import chapter_3
-from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures import chapter_3, drawn as dr
 
 WINDOW = 0.03
 """Window of the derivatives that give impact forces [s]; the thesis does not state its own."""
+SPEED = r"speed $\dot\theta$ before the impact [rad/s]"
 
 
 def draw_forces(
     time: np.ndarray, horizontal: np.ndarray, vertical: np.ndarray, until: float
 ) -> Figure:
     """Horizontal and vertical support force [N] in time, and the weight."""
-    figure = style.new_figure(7.2, 4.2)
-    axes = figure.subplots(2, 1, sharex=True)
-    for ax, force, name in zip(
-        axes, (horizontal, vertical), ("horizontal", "vertical"), strict=True
-    ):
-        ax.plot(time, force / 1e3, lw=0.8, color=style.LINES[0])
-        ax.set_ylabel(f"{name} force [kN]")
+    figure, (top, below) = dr.panels(7.2, 4.2, 2, sharex=True)
+    top.plot(time, horizontal / 1e3, lw=0.8, color=style.LINES[0])
+    top.set_ylabel("horizontal force [kN]")
+    below.plot(time, vertical / 1e3, lw=0.8, color=style.LINES[0])
     weight = chapter_3.BLOCK.mass * chapter_3.BLOCK.gravity / 1e3
-    axes[1].axhline(weight, color=style.INK, ls="--", lw=0.8, label="weight")
-    axes[1].legend(loc="lower right")
-    axes[1].set(xlabel="time [s]", xlim=(0, until))
-    figure.align_ylabels(axes)
+    below.axhline(weight, ls="--", label="weight", **dr.THIN)
+    below.legend(loc="lower right")
+    below.set(ylabel="vertical force [kN]", xlabel=dr.TIME, xlim=(0, until))
     return figure
 
 
-@thesis_figure(Source.IN_KIND)
+def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
+    """A simulated record from a release [deg], with a tenth of the noise of the others."""
+    return chapter_3.record(release, seed, noise=chapter_3.NOISE / 10)
+
+
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_3_12() -> Figure:
     """Support forces of the block by 3-8 and 3-9 from a record in kind.
 
@@ -48,7 +50,7 @@ def figure_3_12() -> Figure:
     return draw_forces(forces.time, forces.horizontal, forces.vertical, 4.9)
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_3_13() -> Figure:
     """Support forces of Housner's block, released as in Figure 3-3.
 
@@ -60,41 +62,26 @@ def figure_3_13() -> Figure:
     return draw_forces(run.t, run["horizontal_reaction"], vertical, 10.0)
 
 
-@thesis_panels(Source.COMPUTED, 7.6, 3.0)
-def figure_3_14(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.6, 3.0, columns=3)
+def figure_3_14(*axes: Axes) -> None:
     """Support forces just before and after an impact against the speed: 3-11 and 3-12.
 
     Up to the largest speed of free rocking, 3-13. Positive speed: the right foot lands. The angle
     is that of the resultant from the vertical.
     """
-    most = float(
-        formulas.impact_speed(
-            chapter_3.BLOCK.alpha, alpha=chapter_3.BLOCK.alpha, radius=chapter_3.BLOCK.radius
-        )
-    )
+    alpha, radius = chapter_3.BLOCK.alpha, chapter_3.BLOCK.radius
+    most = float(formulas.impact_speed(alpha, alpha=alpha, radius=radius))
     speed = np.linspace(-most, most, 401)
-    axes = figure.subplots(1, 3)
     for side, label, line in ((1, "on the right foot", "-"), (-1, "on the left foot", "--")):
         h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **chapter_3.SHAPE)
         angle = np.degrees(np.arctan2(h, v))
         for ax, y in zip(axes, (h / 1e3, v / 1e3, angle), strict=True):
             ax.plot(speed, y, line, label=label)
-    axes[0].set_ylabel("horizontal force [kN]")
-    axes[1].set_ylabel("vertical force [kN]")
-    axes[2].set_ylabel("angle of the resultant [deg]")
+    names = "horizontal force [kN]", "vertical force [kN]", "angle of the resultant [deg]"
+    for ax, name in zip(axes, names, strict=True):
+        ax.set(xlabel=r"speed $\dot\theta$ [rad/s]", ylabel=name)
     axes[1].set_ylim(0, 3.6)
-    for ax in axes:
-        ax.set_xlabel(r"speed $\dot\theta$ [rad/s]")
     axes[2].legend(loc="center")
-
-
-@cache
-def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
-    """A simulated record from a release [deg], with a tenth of the noise of the others."""
-    motion = chapter_3.rocking(chapter_3.BLOCK, float(np.radians(release)), 5.0)
-    t = np.arange(5 * chapter_3.RATE) / chapter_3.RATE
-    noise = np.random.default_rng(seed).normal(0.0, chapter_3.NOISE / 10, len(t))
-    return analysis.MeasuredRecord(t, {"theta": motion.at(t)["theta"] + noise})
 
 
 @cache
@@ -109,19 +96,8 @@ def impact_forces() -> identification.ImpactForces:
     return identification.ImpactForces(*(column[fast] for column in columns))
 
 
-def grows(speed: np.ndarray, force: np.ndarray) -> float:
-    """Growth of a force from 0.2 to 0.8 rad/s on the straight line through its points."""
-    slope, level = np.polyfit(np.abs(speed), force, 1)
-    return float((level + 0.8 * slope) / (level + 0.2 * slope) - 1)
-
-
-def feet_of(speed: np.ndarray) -> list[tuple[str, str, np.ndarray]]:
-    """Name, marker and mask of the impacts of each foot, by the sign of the speed."""
-    return [("left", "<", speed < 0), ("right", ">", speed > 0)]
-
-
-@thesis_panels(Source.IN_KIND, 7.4, 5.4)
-def figure_3_15(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.4, 5.4, 2, 2, sharex=True)
+def figure_3_15(a: Axes, b: Axes, c: Axes, d: Axes) -> None:
     """Forces about each impact of records in kind against the speed, and the baseline.
 
     Upper row: the largest vertical force about an impact, and the horizontal one where it is
@@ -132,30 +108,21 @@ def figure_3_15(figure: Figure) -> None:
     the others.
     """
     forces, before = impact_forces(), vertical_before_impacts()
-    (a, b), (c, d) = figure.subplots(2, 2, sharex=True)
-    base = {"color": style.INK, "ms": 6, "ls": "", "marker": "_", "label": "baseline"}
-    for ax, values, baseline, chosen, name in (
-        (a, forces.vertical, forces.baseline_vertical, forces.vertical > 0, "largest vertical"),
-        (b, forces.horizontal, forces.baseline_horizontal, forces.horizontal > 0,
-         "positive horizontal"),
-        (c, before, forces.baseline_vertical, before > 0, "vertical force before"),
-        (d, forces.horizontal, forces.baseline_horizontal, forces.horizontal < 0,
-         "negative horizontal"),
-    ):  # fmt: skip
-        for foot, mark, of_foot in feet_of(forces.speed):
-            one = of_foot & chosen
-            ax.plot(forces.speed[one], values[one] / 1e3, mark, ms=4, color=style.FEET[foot],
-                    label=f"{foot} foot lands")  # fmt: skip
+    speed, h, v = forces.speed, forces.horizontal, forces.vertical
+    for ax, values, baseline, rows, name in (
+        (a, v, forces.baseline_vertical, v > 0, "a) largest vertical"),
+        (b, h, forces.baseline_horizontal, h > 0, "b) positive horizontal"),
+        (c, before, forces.baseline_vertical, before > 0, "c) vertical force before"),
+        (d, h, forces.baseline_horizontal, h < 0, "d) negative horizontal"),
+    ):
+        dr.draw_feet(ax, speed[rows] < 0, speed[rows], values[rows] / 1e3)
         # horizontal, the baseline just after has the size of that before, and the other sign
-        smooth = np.copysign(baseline, values)[chosen]
-        ax.plot(forces.speed[chosen], smooth / 1e3, **base)
+        smooth = np.copysign(baseline, values)[rows]
+        ax.plot(speed[rows], smooth / 1e3, "_", color=style.INK, ms=6, label="baseline")
         ax.set_ylabel(f"{name} [kN]")
     for ax in (c, d):
-        ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
-    for ax, letter in zip((a, b, c, d), "abcd", strict=True):
-        ax.set_title(letter, loc="left", fontsize=9)
-    handles, labels = a.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+        ax.set_xlabel(SPEED)
+    dr.legend_of_first(style.parent_figure(a), 3)
 
 
 @cache
@@ -171,24 +138,16 @@ def vertical_before_impacts() -> np.ndarray:
     return np.concatenate(forces_before)
 
 
-@thesis_panels(Source.IN_KIND, 7.4, 3.2)
-def figure_3_16(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.4, 3.2, columns=2)
+def figure_3_16(magnitude: Axes, direction: Axes) -> None:
     """Magnitude and direction of the largest forces of Figure 3-15 against the speed; in kind.
 
     The angle is that of the resultant from the vertical.
     """
     forces = impact_forces()
-    angle = np.degrees(forces.angle)
-    axes = figure.subplots(1, 2)
-    for foot, side, mark in (("left", -1, "<"), ("right", 1, ">")):
-        one = np.sign(forces.speed) == side
-        for ax, y in zip(axes, (forces.magnitude / 1e3, angle), strict=True):
-            ax.plot(
-                forces.speed[one], y[one], mark, ms=4, color=style.FEET[foot],
-                label=f"{foot} foot lands",
-            )  # fmt: skip
-    axes[0].set(ylabel="magnitude [kN]", ylim=(0, None))
-    axes[1].set_ylabel("angle from the vertical [deg]")
-    for ax in axes:
-        ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
-    axes[0].legend(loc="lower center")
+    for ax, y in ((magnitude, forces.magnitude / 1e3), (direction, np.degrees(forces.angle))):
+        dr.draw_feet(ax, forces.speed < 0, forces.speed, y)
+        ax.set_xlabel(SPEED)
+    magnitude.set(ylabel="magnitude [kN]", ylim=(0, None))
+    direction.set_ylabel("angle from the vertical [deg]")
+    magnitude.legend(loc="lower center")

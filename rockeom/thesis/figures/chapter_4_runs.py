@@ -13,7 +13,7 @@ import rockeom as rk
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.drawn import MM, Source, ThesisFigure, thesis_axes, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.printed import TABLE_4_2, TABLE_4_3, TABLE_4_4
 
 CONSTANT = 0.835
@@ -43,38 +43,47 @@ def displacement(run: Response, time: np.ndarray) -> np.ndarray:
     return np.asarray(state["u"])
 
 
-def draw_run(ax: Axes, run: str, start: float, end: float) -> None:
+def both(run: str) -> dict[str, Response]:
+    """A run by both models, by the label of its curve."""
+    return {"SDOF, 4-27": oscillator_run(run), "MHSG, 4-40": substitute_run(run)}
+
+
+def draw_run(ax: Axes, run: str, start: float, end: float, models: dict[str, Response]) -> None:
+    """Displacements by models, and the largest one measured."""
     t = np.arange(start, end, 2e-3)
-    peak = measured_peak(run) * MM
-    ax.plot(t, displacement(oscillator_run(run), t) * MM, lw=0.9, label="SDOF, 4-27")
-    ax.plot(t, displacement(substitute_run(run), t) * MM, lw=0.9, label="MHSG, 4-40")
-    ax.axhline(peak, color=style.INK, lw=0.9, ls=":", label="measured peak")
-    ax.set(xlim=(start, end), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
+    for label, response in models.items():
+        ax.plot(t, displacement(response, t) * dr.MM, lw=0.9, label=label)
+    mark_peak(ax, measured_peak(run) * dr.MM)
+    ax.set(xlim=(start, end), xlabel=dr.TIME, ylabel=dr.DELTA)
     style.legend_above(ax)
 
 
-@thesis_panels(Source.IN_KIND, 7.2, 3.2)
-def figure_4_66(figure: Figure) -> None:
+def mark_peak(ax: Axes, peak: float) -> None:
+    ax.axhline(peak, color=style.INK, lw=0.9, ls=":", label="measured peak")
+
+
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 3.2)
+def figure_4_66(ax: Axes) -> None:
     """Test run 2, El Centro 180, simulated by 4-27 and by 4-40.
 
     The measured trace is lost; its largest displacement, Table 4-2, is the dotted line. r is
     that of 4-31 for the oscillator and of 4-38 for substitute gravity.
     """
-    draw_run(figure.add_subplot(), "2", 0.0, 30.0)
+    draw_run(ax, "2", 0.0, 30.0, both("2"))
 
 
-@thesis_panels(Source.IN_KIND, 7.2, 3.2)
-def figure_4_67(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 3.2)
+def figure_4_67(ax: Axes) -> None:
     """Test run 4, Sylmar 360 in 0.6 of its time, simulated by 4-27 and by 4-40.
 
     As Figure 4-66. The run is on a cliff: the oscillator comes to 17.6 mm at 1.3 times the peak of
     the record, and with its time scaled by 0.38, as that of Tabas is, to the printed 23 mm.
     """
-    draw_run(figure.add_subplot(), "4", 0.0, 15.0)
+    draw_run(ax, "4", 0.0, 15.0, both("4"))
 
 
-@thesis_panels(Source.IN_KIND, 5.6, 3.2)
-def figure_4_68(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 5.6, 3.2)
+def figure_4_68(ax: Axes) -> None:
     """Test run 4 while it moves most, by 4-27 and by 4-40: part of Figure 4-67.
 
     Which part the thesis shows is not stated; here it is two seconds about the largest
@@ -82,11 +91,10 @@ def figure_4_68(figure: Figure) -> None:
     """
     t = np.arange(0.0, 15.0, 2e-3)
     middle = float(t[np.abs(displacement(substitute_run("4"), t)).argmax()])
-    start, end = middle - 1.0, middle + 1.0
-    draw_run(figure.add_subplot(), "4", start, end)
+    draw_run(ax, "4", middle - 1.0, middle + 1.0, both("4"))
 
 
-@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 3.2)
 def figure_4_79(ax: Axes) -> None:
     """Test run 9, Sylmar 360 in 0.6 of its time with 111 kN, by 4-27 with a constant r = 0.852.
 
@@ -94,13 +102,7 @@ def figure_4_79(ax: Axes) -> None:
     in place of the caption's 0.852. The measured trace is lost; its largest displacement is the
     dotted line.
     """
-    t = np.arange(0.0, 15.0, 2e-3)
-    run = shaken.oscillator_run("9", 0.852)
-    ax.plot(t, displacement(run, t) * MM, lw=0.9, label="SDOF, 4-27")
-    measured = measured_peak("9") * MM
-    ax.axhline(measured, color=style.INK, lw=0.9, ls=":", label="measured peak")
-    ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
-    style.legend_above(ax)
+    draw_run(ax, "9", 0.0, 15.0, {"SDOF, 4-27": shaken.oscillator_run("9", 0.852)})
 
 
 # --- appendix C
@@ -116,7 +118,7 @@ def measured_peaks(run: str) -> tuple[float, float, float]:
         table, row = TABLE_4_4, _RECORD_OF_TABLE_4_4[run]
         names = ("displacement, 110 kN", "velocity, 110 kN", "acceleration, 110 kN")
     u, v, a = (table.cell(row, name) for name in names)
-    return u / MM, v, a
+    return u / dr.MM, v, a
 
 
 def draw_history(run: str, response: Response) -> Figure:
@@ -124,23 +126,22 @@ def draw_history(run: str, response: Response) -> Figure:
     t = np.arange(0.0, min(response.t[-1], 30.0), 2e-3)
     u = displacement(response, t)
     velocity = np.gradient(u, t)
-    figure = style.new_figure(7.2, 5.2)
-    axes = figure.subplots(3, 1, sharex=True)
-    curves = (u, velocity, np.gradient(velocity, t))
-    names = (r"$\Delta$ [mm]", r"$\dot\Delta$ [m/s]", r"$\ddot\Delta$ [m/s$^2$]")
-    for ax, y, peak, unit, name in zip(
-        axes, curves, measured_peaks(run), (MM, 1.0, 1.0), names, strict=True
+    figure, axes = dr.panels(7.2, 5.2, 3, sharex=True)
+    peak, fastest, strongest = measured_peaks(run)
+    for ax, y, largest, name in (
+        (axes[0], u * dr.MM, peak * dr.MM, r"$\Delta$ [mm]"),
+        (axes[1], velocity, fastest, r"$\dot\Delta$ [m/s]"),
+        (axes[2], np.gradient(velocity, t), strongest, r"$\ddot\Delta$ [m/s$^2$]"),
     ):
-        ax.plot(t, y * unit, lw=0.8, color=style.LINES[0], label="simulated")
-        ax.axhline(peak * unit, color=style.INK, lw=0.9, ls=":", label="measured peak")
+        ax.plot(t, y, lw=0.8, color=style.LINES[0], label="simulated")
+        mark_peak(ax, largest)
         ax.set_ylabel(name)
-    axes[-1].set(xlabel="time [s]", xlim=(0, t[-1]))
+    axes[-1].set(xlabel=dr.TIME, xlim=(0, t[-1]))
     style.legend_above(axes[0])
-    figure.align_ylabels(axes)
     return figure
 
 
-def simulated(number: str, run: str, model: str) -> ThesisFigure:
+def simulated(number: str, run: str, model: str) -> dr.ThesisFigure:
     """A figure of appendix C: a run by a model, "4-31" or "constant" of SDOF, or "MHSG"."""
     how = {
         "4-31": "4-27 (SDOF) with r of 4-31",
@@ -160,7 +161,7 @@ def simulated(number: str, run: str, model: str) -> ThesisFigure:
         law = CONSTANT if model == "constant" else rk.EnergyRatioAtSpeed.equation_4_31()
         return draw_history(run, shaken.oscillator_run(run, law))
 
-    return ThesisFigure(number, Source.IN_KIND, text, style.styled(draw))
+    return dr.ThesisFigure(number, dr.Source.IN_KIND, text, style.styled(draw))
 
 
 figure_c_1 = simulated("C-1", "1", "4-31")

@@ -1,4 +1,4 @@
-"""Figures 4-50 and 4-51: spectra of a window that moves along a record; section 4.9.1.
+"""Spectra of a window that moves along a record, Figures 4-50 and 4-51; section 4.9.1.
 
 The measured traces are lost. In kind is a simulated wall, sampled as the tests were, 200 times a
 second, with noise of 0.05 mm. The text states the window, 0.43 times the sampling rate, and its
@@ -16,20 +16,17 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import MM, Source, thesis_panels
-from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go
+from rockeom.thesis import shaken
+from rockeom.thesis.figures import drawn as dr
+from rockeom.thesis.free_vibration_table import let_go
 
 RATE, NOISE = 200.0, 0.05e-3
 START = -0.03041
 """First peak of Table A-1 [m]."""
 
 
-def oscillator() -> rk.ControlledWallOscillator:
-    """The oscillator of Figure 4-37, with r of 4-31."""
-    law = rk.EnergyRatioAtSpeed.equation_4_31()
-    return rk.ControlledWallOscillator.from_wall(
-        WALL, law, held=False, effective_mass=WALL.mass / STIFFER
-    )
+OSCILLATOR = shaken.oscillator_of("5", rk.EnergyRatioAtSpeed.equation_4_31())
+"""That of Figure 4-37, with r of 4-31."""
 
 
 def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.MeasuredRecord:
@@ -42,7 +39,7 @@ def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.M
 
 @cache
 def free_decay() -> analysis.MeasuredRecord:
-    return sampled(let_go(oscillator(), 3.5, u=START), 3.5)
+    return sampled(let_go(OSCILLATOR, 3.5, u=START), 3.5)
 
 
 @cache
@@ -52,11 +49,11 @@ def windows_of_decay() -> identification.MovingWindow:
 
 @cache
 def windows_of_shaking() -> identification.MovingWindow:
-    return identification.moving_window(shaken(), "displacement", "table", frequencies=(1.0, 25.0))
+    return identification.moving_window(noise(), "displacement", "table", frequencies=(1.0, 25.0))
 
 
 @cache
-def shaken() -> analysis.MeasuredRecord:
+def noise() -> analysis.MeasuredRecord:
     """The wall under noise between 0.5 and 20 Hz that swells and fades, at most 6 m/s2."""
     from scipy.signal import butter, sosfilt
 
@@ -64,8 +61,28 @@ def shaken() -> analysis.MeasuredRecord:
     band = butter(2, [0.5, 20.0], "bandpass", output="sos", fs=RATE)
     ground = sosfilt(band, np.random.default_rng(4).normal(size=len(t))) * np.sin(np.pi * t / 6)
     motion = rk.GroundMotion.from_array(ground, 1 / RATE).scaled_to(peak=6.0)
-    run = rk.simulate(oscillator(), motion, duration=6.0)
+    run = rk.simulate(OSCILLATOR, motion, duration=6.0)
     return sampled(run, 6.0, table=motion.acceleration(t))
+
+
+@cache
+def frequencies(run: str, until: float) -> np.ndarray:
+    """The largest frequency of the windows of a run by 4-27 that are shaken (n,) [Hz].
+
+    As a test would have recorded it. Windows count as shaken where the table has more than a tenth
+    of its largest mean acceleration.
+    """
+    law, motion = rk.EnergyRatioAtSpeed.equation_4_31(), shaken.wall_motion(run)
+    simulated = shaken.oscillator_run(run, law)
+    t = np.arange(int(simulated.t[-1] * RATE)) / RATE
+    record = sampled(simulated, len(t) / RATE, table=motion.acceleration(t))
+    moving = identification.moving_window(
+        record, "displacement", "table", segments=2, beta=2.0, frequencies=(1.0, 15.0)
+    )
+    samples = round(0.43 * RATE)
+    size = np.convolve(np.abs(record["table"]), np.ones(samples) / samples, mode="same")
+    table = np.interp(moving.time, record.time, size)
+    return moving.dominant[(table > 0.1 * table.max()) & (moving.time < until)]
 
 
 def draw_spectrogram(ax: Axes, windows: identification.MovingWindow) -> None:
@@ -78,10 +95,10 @@ def draw_spectrogram(ax: Axes, windows: identification.MovingWindow) -> None:
 
 
 def draw_records(ax: Axes, record: analysis.MeasuredRecord, window: tuple[float, float]) -> None:
-    ax.plot(record.time, record["displacement"] * MM, lw=0.8, label="displacement [mm]")
+    ax.plot(record.time, record["displacement"] * dr.MM, lw=0.8, label="displacement [mm]")
     ax.plot(record.time, record["table"], lw=0.6, color="0.6", label=r"table [m/s$^2$]")
     ax.axvspan(*window, color=style.LINES[4], alpha=0.35, lw=0)
-    ax.set(xlabel="time [s]", ylabel="1. records [mm], [m/s$^2$]", xlim=(0, 6))
+    ax.set(xlabel=dr.TIME, ylabel="1. records [mm], [m/s$^2$]", xlim=(0, 6))
     style.legend_above(ax)
 
 
@@ -97,7 +114,7 @@ def draw_spectra(ax: Axes, inside: analysis.MeasuredRecord) -> None:
 
 
 def draw_transfer(ax: Axes, windows: identification.MovingWindow, which: int) -> None:
-    ax.plot(windows.frequency, windows.amplitude[which] * windows.largest[which] * MM)
+    ax.plot(windows.frequency, windows.amplitude[which] * windows.largest[which] * dr.MM)
     ax.axvline(windows.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
     ax.set(ylabel="3. transfer [mm/(m/s$^2$)]", xlabel="frequency [Hz]")
 
@@ -113,8 +130,8 @@ def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
     ax.grid(visible=False)
 
 
-@thesis_panels(Source.IN_KIND, 7.6, 7.2)
-def figure_4_50(figure: Figure) -> None:
+@dr.thesis_figure(dr.Source.IN_KIND)
+def figure_4_50() -> Figure:
     """How the moving window finds the frequencies of a structure, step by step; in kind.
 
     The wall is the oscillator of Figure 4-37 under noise between 0.5 and 20 Hz of at most 6 m/s2;
@@ -122,11 +139,12 @@ def figure_4_50(figure: Figure) -> None:
     2: spectra of both in it. 3: the transfer function, the cross spectrum over that of the table.
     4: those of every twentieth window, each over its largest. 5: the same from above.
     """
-    record = shaken()
+    record = noise()
     windows = windows_of_shaking()
     which = int(np.searchsorted(windows.time, 2.5))
     middle = float(windows.time[which])
     inside = record.between(middle - windows.span / 2, middle + windows.span / 2)
+    figure = style.new_figure(7.6, 7.2)
     grid = figure.add_gridspec(3, 2)
     draw_records(figure.add_subplot(grid[0, :]), record, (inside.time[0], inside.time[-1]))
     draw_spectra(figure.add_subplot(grid[1, 0]), inside)
@@ -134,31 +152,31 @@ def figure_4_50(figure: Figure) -> None:
     draw_stack(figure.add_subplot(grid[2, 0]), windows)
     draw_spectrogram(above := figure.add_subplot(grid[2, 1]), windows)
     above.set_ylabel("5. frequency [Hz]")
+    return figure
 
 
-@thesis_panels(Source.IN_KIND, 7.2, 4.8)
-def figure_4_51(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 4.8, 2, sharex=True, height_ratios=(1.0, 1.8))
+def figure_4_51(trace: Axes, ax: Axes) -> None:
     """The moving window on the free decay of the wall: its response alone; in kind.
 
     The table stands still, so that there is no input to divide by: this is the spectrum of the
     displacement, over its largest in each window. The wall is the oscillator of Figure 4-37. It
     does not bend: what the text takes for bending, the last frequencies, it has from turning about
-    a centre that hardly leaves the middle.
+    a centre that hardly leaves the middle. A is smooth rocking, B its end, C what follows.
     """
     record, windows = free_decay(), windows_of_decay()
-    trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.8))
-    trace.plot(record.time, record["displacement"] * MM, lw=0.8)
-    trace.set_ylabel(r"displacement $\Delta$ [mm]")
+    trace.plot(record.time, record["displacement"] * dr.MM, lw=0.8)
+    trace.set_ylabel(dr.DELTA)
     draw_spectrogram(ax, windows)
     ax.set_xlim(0, 3.5)
     dominant, time = windows.dominant, windows.time
     passing = float(time[np.argmax(dominant > 6.0)])
     top = float(time[np.argmax(dominant)])
-    for name, at, f in (
-        ("A", passing / 2, 2.2), ("B", top, dominant.max() + 2.5), ("C", 2.9, 5.5),
-    ):  # fmt: skip
-        ax.annotate(
-            name, (at, f), ha="center", va="center", weight="bold",
-            bbox={"boxstyle": "circle", "fc": "white", "ec": style.INK},
-        )  # fmt: skip
+    circle = {"boxstyle": "circle", "fc": "white", "ec": style.INK}
+    for name, at in (
+        ("A", (passing / 2, 2.2)),
+        ("B", (top, dominant.max() + 2.5)),
+        ("C", (2.9, 5.5)),
+    ):
+        ax.annotate(name, at, ha="center", va="center", weight="bold", bbox=circle)
     ax.legend(loc="upper right")

@@ -16,8 +16,13 @@ from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_5_rigid import draw_decay, draw_shaken, released
-from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures import drawn as dr
+from rockeom.thesis.figures.chapter_5_rigid import (
+    DISPLACEMENT,
+    draw_decay,
+    draw_shaken,
+    released,
+)
 
 MODEL_C = shaken.model_c()
 STILL = 0.1e-3
@@ -37,16 +42,15 @@ def deformation_lasts(run: Response) -> float:
 
 def draw_apart(run: Response, end: float) -> Figure:
     """Rotation and deformation, each by itself."""
-    figure = style.new_figure(6.6, 4.2)
-    top, below = figure.subplots(2, 1, sharex=True)
-    top.plot(run.t, MM * run["theta"], color=style.LINES[0])
+    figure, (top, below) = dr.panels(6.6, 4.2, 2, sharex=True)
+    top.plot(run.t, dr.MM * run["theta"], color=style.LINES[0])
     top.set_ylabel(r"rotation $\theta$ [mrad]")
-    below.plot(run.t, MM * run["u"], color=style.LINES[2])
-    below.set(ylabel="deformation $u$ [mm]", xlabel="time [s]", xlim=(0, end))
+    below.plot(run.t, dr.MM * run["u"], color=style.LINES[2])
+    below.set(ylabel="deformation $u$ [mm]", xlabel=dr.TIME, xlim=(0, end))
     return figure
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_38() -> Figure:
     """Displacement and uplift of the column that bends after its release, r = 0.74.
 
@@ -57,7 +61,7 @@ def figure_5_38() -> Figure:
     return draw_decay("Figure 5-6", ("Model C, r = 0.74", run), uplift=run)
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_39() -> Figure:
     """Rotation and deformation of the column after its release, each by itself, r = 0.74.
 
@@ -66,7 +70,7 @@ def figure_5_39() -> Figure:
     return draw_apart(released(MODEL_C, 0.74), 2.2)
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_41() -> Figure:
     """Displacement and uplift of the column that bends after its release, r = 0.81.
 
@@ -76,21 +80,20 @@ def figure_5_41() -> Figure:
     return draw_decay("Figure 5-6", ("Model C, r = 0.81", run), uplift=run)
 
 
-@thesis_panels(Source.COMPUTED, 6.6, 5.4)
-def figure_5_42(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 6.6, 5.4, 3, sharex=True)
+def figure_5_42(*axes: Axes) -> None:
     """Displacement, rotation and deformation after the release with r = 0.74 and r = 0.81.
 
     As Figure 5-38; time counts from the release.
     """
-    runs = {r: released(MODEL_C, r) for r in (0.74, 0.81)}
-    axes = figure.subplots(3, 1, sharex=True)
-    for (r, run), color in zip(runs.items(), style.LINES, strict=False):
-        for ax, name in zip(axes, ("displacement", "theta", "u"), strict=True):
-            ax.plot(run.t, MM * run[name], color=color, label=f"r = {r}", lw=0.9)
-    for ax, label in zip(axes, ("displacement [mm]", r"$\theta$ [mrad]", "$u$ [mm]"), strict=True):
+    runs = {f"r = {r}": released(MODEL_C, r) for r in (0.74, 0.81)}
+    names = {"displacement": DISPLACEMENT, "theta": r"$\theta$ [mrad]", "u": "$u$ [mm]"}
+    for ax, (name, label) in zip(axes, names.items(), strict=True):
+        curves = [(said, run.t, dr.MM * run[name]) for said, run in runs.items()]
+        dr.draw_curves(ax, curves, dr.SOLID, lw=0.9)
         ax.set_ylabel(label)
     style.legend_above(axes[0])
-    axes[-1].set(xlabel="time [s]", xlim=(0, 2.2))
+    axes[-1].set(xlabel=dr.TIME, xlim=(0, 2.2))
 
 
 # --- shaken
@@ -100,7 +103,7 @@ def shaken_column(**changes: float) -> Response:
     return shaken.column_run("3", shaken.model_c(**changes), 0.74)
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_43() -> Figure:
     """The column that bends in run 3, El Centro with 0.8 g in 1/5 of its time, r = 0.74.
 
@@ -110,7 +113,7 @@ def figure_5_43() -> Figure:
     return draw_shaken("3", ("Model C", run), ("Model A", rigid))
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_44() -> Figure:
     """Rotation and deformation of the column in run 3, each by itself, r = 0.74.
 
@@ -133,8 +136,8 @@ def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
 SCALES = (0.25, 0.5, 1.0, 2.0)
 
 
-@thesis_panels(Source.IN_KIND, 6.8, 6.2)
-def figure_5_45(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 6.8, 6.2, 3)
+def figure_5_45(force: Axes, drift: Axes, ratio: Axes) -> None:
     """Lateral force and displacement of the column in run 3, rocking and on a fixed base.
 
     Model C with r = 0.74, k = 571.8 kN/m, c = 502.4 N s/m, under the record of Figure 5-24. The
@@ -142,36 +145,31 @@ def figure_5_45(figure: Figure) -> None:
     the column that rocks over those on the fixed base, against the scale of the record.
     """
     compared = beside()
-    force, drift, ratio = figure.subplots(3, 1)
-    for run, label, color in (
-        (compared.fixed_run, "fixed base", style.LINES[1]),
-        (compared.rocking_run, "rocking", style.LINES[0]),
+    runs = {"fixed base": compared.fixed_run, "rocking": compared.rocking_run}
+    for ax, quantity, unit, label in (
+        (force, "horizontal_reaction", 1e-3, "base shear [kN]"),
+        (drift, "displacement", dr.MM, DISPLACEMENT),
     ):
-        force.plot(run.t, run["horizontal_reaction"] / 1e3, color=color, label=label, lw=0.9)
-        drift.plot(run.t, MM * run["displacement"], color=color, label=label, lw=0.9)
-    force.set_ylabel("base shear [kN]")
-    drift.set_ylabel("displacement [mm]")
-    for ax in (force, drift):
-        ax.set(xlabel="time [s]", xlim=(0, 3.0))
+        curves = [(said, run.t, unit * run[quantity]) for said, run in runs.items()]
+        dr.draw_curves(ax, curves, dr.SOLID, style.LINES[1::-1], lw=0.9)
+        ax.set(xlabel=dr.TIME, ylabel=label, xlim=(0, 3.0))
     style.legend_above(force)
     ratios = [beside(scale).ratios for scale in SCALES]
     for name, color in zip(ratios[0], style.LINES[2:5], strict=True):
-        ratio.plot(SCALES, [r[name] for r in ratios], ".-", color=color,
-                   label=name.replace("_", " "))  # fmt: skip
-    ratio.axhline(1.0, color=style.INK, lw=0.7, ls=":")
+        by_scale, label = [one[name] for one in ratios], name.replace("_", " ")
+        ratio.plot(SCALES, by_scale, ".-", color=color, label=label)
+    ratio.axhline(1.0, ls=":", **dr.THIN)
     ratio.set(
-        xlabel="scale of the record [-]", ylabel="rocking over fixed base [-]", ylim=(0, None)
+        xlabel="scale of the record [-]", ylabel="rocking over\nfixed base [-]", ylim=(0, None)
     )
     style.legend_above(ratio)
 
 
-def draw_range(ax: Axes, curves: dict[str, Response]) -> None:
+def draw_range(ax: Axes, runs: dict[str, Response]) -> None:
     """Displacements of several responses."""
-    for (label, run), color, line in zip(
-        curves.items(), style.LINES, ("-", "--", "-."), strict=False
-    ):
-        ax.plot(run.t, MM * run["displacement"], line, color=color, label=label, lw=0.9)
-    ax.set(ylabel="displacement [mm]", xlim=(0, 3.0))
+    curves = [(label, run.t, dr.MM * run["displacement"]) for label, run in runs.items()]
+    dr.draw_curves(ax, curves, lw=0.9)
+    ax.set(xlabel=dr.TIME, ylabel=DISPLACEMENT, xlim=(0, 3.0))
     style.legend_above(ax)
 
 
@@ -196,26 +194,22 @@ def with_dampings() -> dict[str, Response]:
     }
 
 
-@thesis_panels(Source.IN_KIND, 6.6, 4.6)
-def figure_5_46(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 6.6, 4.6, 2)
+def figure_5_46(top: Axes, below: Axes) -> None:
     """Displacement of the column in run 3 with a range of r and of k.
 
     The values of the thesis are not legible; taken are r = 0.70, 0.74 and 0.78, and k 10 % below
     and above 571.8 kN/m, with c = 502.4 N s/m. The record is that of Figure 5-24.
     """
-    top, below = figure.subplots(2, 1, sharex=True)
     draw_range(top, with_ratios())
     draw_range(below, with_stiffnesses())
-    below.set_xlabel("time [s]")
 
 
-@thesis_panels(Source.IN_KIND, 6.6, 3.2)
-def figure_5_47(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 6.6, 3.2)
+def figure_5_47(ax: Axes) -> None:
     """Displacement of the column in run 3 with a range of c, k = 571.8 kN/m.
 
     The values of the thesis are not legible; taken are none, 3 % (502.4 N s/m) and 6 % of critical
     damping, with r = 0.74. The record is that of Figure 5-24.
     """
-    ax = figure.subplots()
     draw_range(ax, with_dampings())
-    ax.set_xlabel("time [s]")

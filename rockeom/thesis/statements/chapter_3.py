@@ -11,7 +11,6 @@ from rockeom.thesis.figures.chapter_3 import BLOCK, PRINTED_HOUSNER, R_HOUSNER, 
 from rockeom.thesis.figures.chapter_3_forces import impact_forces
 from rockeom.thesis.figures.chapter_3_impacts import (
     corrected_impacts,
-    filtered,
     fitted_change,
 )
 from rockeom.thesis.points_of_interest import points_by_score
@@ -218,8 +217,7 @@ def effect_of_the_correction() -> st.Finding:
 
 def mean_restitution() -> st.Finding:
     mean = float(measured_impacts().energy_ratio.mean())
-    kind = float(filtered().energy_ratio.mean())
-    return st.finding(mean, f"{mean:.3f} of the six printed, {kind:.3f} of the runs in kind")
+    return st.finding(mean, f"{mean:.3f} of the six printed")
 
 
 def range_of_restitution() -> st.Finding:

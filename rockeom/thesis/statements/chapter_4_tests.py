@@ -9,7 +9,7 @@ from rockeom.analysis import identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import chapter_4_tests as figures
-from rockeom.thesis.figures.chapter_4_spectra import windows_of_decay
+from rockeom.thesis.figures.chapter_4_spectra import frequencies, windows_of_decay
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_4
 from rockeom.thesis.statements import statement as st
@@ -189,8 +189,9 @@ def figure_of_the_typical_errors() -> st.Finding:
 
 def _shares(run: str, until: float) -> tuple[float, float]:
     """Parts of the shaken windows of a run from 3 to 5 and from 7 to 12 Hz [%]."""
-    dominant = figures.frequencies(run, until)
-    return figures.between(dominant, 3, 5), figures.between(dominant, 7, 12)
+    f = frequencies(run, until)
+    low, high = (100 * np.mean((a <= f) & (f <= b)) for a, b in ((3, 5), (7, 12)))
+    return float(low), float(high)
 
 
 def smooth_rocking_in_run_1() -> st.Finding:
