@@ -52,11 +52,10 @@ def pin(one: Judgement) -> Pin:
     return Pin(of.function, digest(of), one.verdict.value, numbers(one.finding))
 
 
-def pinned() -> dict[str, Pin]:
-    """The rows by function."""
+def pinned() -> list[Pin]:
+    """The rows, in the order of the statements."""
     with PATH.open(encoding="utf-8", newline="") as file:
-        rows = [Pin(*row) for row in csv.reader(file)][1:]
-    return {row.function: row for row in rows}
+        return [Pin(*row) for row in csv.reader(file)][1:]
 
 
 def write(judgements: Iterable[Judgement]) -> None:

@@ -13,20 +13,6 @@ from rockeom.thesis.figures import (
 )
 
 
-@pytest.mark.parametrize(
-    ("number", "verdicts"),
-    [
-        ("2-2", ["holds", "holds"]),
-        ("2-20", ["holds", "differs"]),  # a lambda above 1 is not enough where the joint stiffens
-        ("2-21", ["holds"]),
-        ("2-22", ["differs", "open"]),  # the bilinear rule by Table 2-4; alpha_T is not stated
-        ("2-23", ["holds", "holds", "holds", "differs"]),  # the elastic and plastic rule is worse
-    ],
-)
-def test_verdicts_on_closed_forms(number, verdicts):
-    assert [one.judged().verdict.value for one in statements.of_figure(number)] == verdicts
-
-
 @pytest.mark.parametrize("margin", [0.99, 1.01])
 def test_residual_rotation_by_the_moment_at_the_opening_and_not_by_lambda(margin):
     """Statics: it returns if the moment left by the opened joint exceeds that of the dissipater."""

@@ -85,13 +85,6 @@ def test_bending_of_the_wall_is_no_rotation():
     assert np.all(off[True] < off[False])
 
 
-@pytest.mark.parametrize(
-    ("number", "verdicts"), [("4-57", ["open", "open"]), ("4-75", ["open"]), ("4-77", ["holds"])]
-)
-def test_verdicts_by_table_4_2(number, verdicts):
-    assert [one.judged().verdict.value for one in statements.of_figure(number)] == verdicts
-
-
 @needs_records
 def test_run_4_is_on_a_cliff():
     """4.9 mm with the peak of the table, 17.6 mm at 1.3 times, 92 mm at 1.4 times."""

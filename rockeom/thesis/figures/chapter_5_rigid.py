@@ -278,12 +278,19 @@ def figure_5_29(ax: Axes) -> None:
 
 
 def exact_pushover(k_f: float) -> tuple[np.ndarray, np.ndarray]:
-    """Displacements [m] and forces [N] of the column on two springs, no angle taken as small."""
+    """Displacements [m] and forces [N] of the column on two springs, no angle taken as small.
+
+    From upright to where it overturns, at which the force vanishes.
+    """
     exact = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=k_f, foundation_damping=0.0)
     height = COLUMN["height"]
     lifts = approximation(k_f)["u_crit"] / height
-    theta = np.concatenate([np.linspace(1e-5, 3 * lifts, 60), np.linspace(3 * lifts, 0.29, 60)[1:]])
-    return height * np.sin(theta), exact.pushover(theta)
+    theta = np.concatenate(
+        [np.linspace(1e-5, 3 * lifts, 60), np.linspace(3 * lifts, 0.36, 600)[1:]]
+    )
+    force = exact.pushover(theta)
+    stands = force >= 0
+    return height * np.sin(theta[stands]), force[stands]
 
 
 def approximate_force(k_f: float, u: np.ndarray) -> np.ndarray:

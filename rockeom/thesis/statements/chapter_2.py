@@ -5,13 +5,12 @@ import math
 import numpy as np
 
 import rockeom as rk
-from rockeom.analysis import formulas
+from rockeom.analysis import design, formulas
 from rockeom.analysis.sweeps import STANDS
 from rockeom.motion import STANDARD_GRAVITY
-from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_2 as forces, chapter_2_blocks as blocks
 from rockeom.thesis.free_vibration_table import let_go
-from rockeom.thesis.printed import BLOCK, TABLE_2_1, TABLE_2_3, number
+from rockeom.thesis.printed import BLOCK, TABLE_2_1, number
 from rockeom.thesis.statements import statement as st
 from rockeom.thesis.tables import computed
 
@@ -312,10 +311,10 @@ def differences_of_aspect_ratio() -> st.Finding:
     return st.finding(difference, f"{difference[0]:.2f} and {difference[1]:.2f} %")
 
 
-def energy_ratio_of_figure_2_13() -> st.Finding:
-    alpha = math.atan(1 / 8)
+def energy_ratio_of_block(slenderness: str) -> st.Finding:
+    alpha = math.atan(1 / float(slenderness))
     r = float(formulas.energy_ratio_of_block(alpha))
-    return st.finding(r, f"{r:.4f}, with alpha = {math.degrees(alpha):.3f} degrees")
+    return st.finding(r, f"{r:.6f}, with alpha = {math.degrees(alpha):.3f} degrees")
 
 
 def size_of_the_block_of_2_13() -> st.Finding:
@@ -335,19 +334,6 @@ def acceleration_of_uplift() -> st.Finding:
     return st.finding(
         uplift / STANDARD_GRAVITY / (width / height),
         f"the block of chapter 3 lifts at {uplift:.2f} m/s2 = {uplift / STANDARD_GRAVITY:.3f} g",
-    )
-
-
-def number_of_the_fema_document() -> st.Finding:
-    return st.finding(356, "FEMA 356, as elsewhere in the text")
-
-
-def equation_of_the_peak_rotation() -> st.Finding:
-    of = EQUATIONS["2-16"]
-    names = {symbol.name for symbol in of.symbols}
-    return st.finding(
-        any("delta" in name.lower() for name in names),
-        f"2-16 is the {of.meaning}; a rotation is the displacement over R cos(alpha)",
     )
 
 
@@ -380,11 +366,6 @@ def acceleration_of_the_impulse() -> st.Finding:
     return st.finding(largest, f"{largest:.0f} against 1")
 
 
-def energy_ratio_of_figure_2_16() -> st.Finding:
-    r = float(formulas.energy_ratio_of_block(math.atan(1 / 3)))
-    return st.finding(r, f"{r:.6f}")
-
-
 # --- Table 2-3
 
 
@@ -408,6 +389,71 @@ def damping_suggested_for_the_walls() -> st.Finding:
     )
 
 
-def damping_measured_on_the_walls() -> st.Finding:
-    measured = TABLE_2_3.numbers("measured damping")
-    return st.finding(measured, " and ".join(f"{x:g} %" for x in measured))
+_RECORDS = ("El Centro 1940 180", "Pacoima 254", "Sylmar SYL 032")
+
+
+def estimates_of_fema_356() -> st.Finding:
+    """A block of 1 m by 4 m, under each record with peaks of 1.5 and 2 times that of uplift."""
+    block = rk.RigidBlock(half_width=0.5, half_height=2.0)
+    uplift = float(formulas.uplift_acceleration(block.half_width, block.half_height))
+    motions = [
+        rk.GroundMotion.from_library(name).scaled_to(peak=factor * uplift)
+        for name in _RECORDS
+        for factor in (1.5, 2.0)
+    ]
+    compared = design.fema_356_against_integration(block, motions)
+    own = np.abs(compared.rotation) / block.alpha
+    estimated = [
+        {"overturned": 1.0, "converged": one.rotation / block.alpha}.get(one.outcome, math.nan)
+        for one in compared.fema
+    ]
+    over = int(np.sum(estimated > 2 * own))
+    said = "; ".join(
+        f"{'none' if math.isnan(x) else f'{x:.2f}'} for {y:.2f}"
+        for x, y in zip(estimated, own, strict=True)
+    )
+    return st.finding(
+        over,
+        f"in kind, {over} of six estimates are twice the integrated rotation or more, in "
+        f"units of alpha {said}",
+    )
+
+
+def pulses_a_thousandth_apart() -> st.Finding:
+    """Pulses on both sides of each peak at which the fate of the block of Figure 2-13 changes."""
+    different = 0
+    for amplitude in blocks.fates_of_2_13()["amplitude"].values:
+        pair = [blocks.pulsed(8.0, amplitude * x, 2.192, 0.954) for x in (0.9995, 1.0005)]
+        different += (pair[0].outcome == "overturned") != (pair[1].outcome == "overturned")
+    return st.finding(different, f"beside {different} peaks one of two pulses overturns the block")
+
+
+def impulses_with_smaller_n() -> st.Finding:
+    """Largest acceleration near the first impact, and time spent within n of upright, by n."""
+    heights, times = [], []
+    for n in (2e-3, 1e-3):
+        run = forces.released(n, 2.0)
+        t = np.linspace(0.0, run.duration, 400_001)
+        state = run.at(t)
+        heights.append(float(np.abs(np.gradient(state["x_dot"], t)).max()))
+        times.append(float(np.mean(np.abs(state["x"]) < n)))
+    ratios = [heights[1] / heights[0], times[0] / times[1]]
+    return st.finding(
+        ratios,
+        f"with half of n the acceleration reaches {ratios[0]:.2f} times as much, and the block is "
+        f"within n of upright {1 / ratios[1]:.2f} times as long",
+    )
+
+
+def blocks_of_all_sizes() -> st.Finding:
+    """Slender blocks of one slenderness and of radii of 1 and 9 m under the same pulse in p t."""
+    rotations = []
+    for radius in (1.0, 9.0):
+        block = rk.SlenderBlock(radius=radius, alpha=0.2)
+        p = math.sqrt(0.75 * STANDARD_GRAVITY / radius)
+        pulse = rk.GroundMotion.single_sine(2.2, 6.0 / p, duration=24.0 / p)
+        run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.9))
+        rotations.append(run.at(np.linspace(0.0, 20.0, 401) / p)["theta"] / 0.2)
+    small, large = rotations
+    apart = float(np.abs(large - small).max())
+    return st.finding(apart, f"{apart:.0e} alpha apart, at most {np.abs(small).max():.2f} alpha")

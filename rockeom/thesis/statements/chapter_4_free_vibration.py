@@ -1,6 +1,9 @@
 """Statements of sections 4.5.1 and 4.7 on the measured free vibration of the wall."""
 
+import math
+
 import numpy as np
+from scipy.integrate import trapezoid
 from scipy.special import erf
 
 from rockeom.analysis import identification
@@ -9,6 +12,7 @@ from rockeom.thesis.figures.chapter_4_wall import GAUGE, legible
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.statements import statement as st
+from rockeom.thesis.statements.chapter_4_wall import fits_of_quarters
 from rockeom.thesis.wall_tests import quarter_period_fit
 
 
@@ -43,9 +47,10 @@ def centre_at_the_end() -> st.Finding:
 
 
 def fit_of_4_5() -> st.Finding:
-    peak, time = figures.quarters()
-    r2 = identification.coefficient_of_determination(time, quarter_period_fit(np.abs(peak)))
-    return st.finding(r2, f"{r2:.4f} over {len(time)} quarters")
+    rows, every = fits_of_quarters(quarter_period_fit)
+    return st.ranging(
+        [rows, every], f"{rows:.4f} at the 19 legible quarters, {every:.4f} at all 22"
+    )
 
 
 def coefficients_of_4_5() -> st.Finding:
@@ -196,3 +201,53 @@ def crossings_within_the_boundary() -> st.Finding:
     inside = size < np.interp(speed, limit.speed, limit.displacement)
     outside = 100 * float(1 - inside.mean())
     return st.finding(outside, f"{inside.sum()} of {len(inside)} measured crossings lie inside it")
+
+
+def fit_of_4_9() -> st.Finding:
+    measured = _measured()
+    size = np.abs(measured.displacement)
+    uplift = np.where(measured.displacement > 0, measured.left_uplift, measured.right_uplift)
+    fits = [
+        float(identification.coefficient_of_determination(uplift[rows], WALL.uplift(size[rows])))
+        for rows in (legible(), measured.at_peak & legible())
+    ]
+    return st.ranging(fits, f"{fits[0]:.3f} at all legible rows, {fits[1]:.3f} at the peaks")
+
+
+def speeds_of_the_trajectories() -> st.Finding:
+    measured, rows = _measured(), figures.peaks()[:5]
+    own = [float(speed[-1]) for _, speed in figures.paths_without_losses()]
+    ratio = np.abs(measured.velocity[rows + 1]) / own
+    return st.finding(ratio, f"upright it has {ratio.min():.2f} to {ratio.max():.2f} of its speed")
+
+
+_SAMPLE = 0.005
+"""Time between samples of the test, of which the time of a peak is one [s]; section 4.5.1."""
+
+
+def times_of_the_trajectories() -> st.Finding:
+    """By 4-24, from each of the first five peaks to the displacement of the crossing after it."""
+    measured, ratios = _measured(), []
+    for row in figures.peaks()[:5]:
+        start, end = np.abs(measured.displacement[row : row + 2])
+        s = np.linspace(0.0, math.sqrt(1 - end / start), 2001)[1:]  # Delta = start (1 - s**2)
+        pace = 2 * start * s / np.abs(WALL.phase_trajectory(start, start * (1 - s**2)))
+        own = float(trapezoid(pace, s) + pace[0] * s[0])
+        quarter = float(measured.time[row + 1] - measured.time[row])
+        ratios.append([own / (quarter + _SAMPLE / 2), own / (quarter - _SAMPLE / 2)])
+    low, high = np.min(ratios, axis=0)[0], np.max(ratios, axis=0)[1]
+    return st.ranging(
+        np.transpose(ratios),
+        f"{low:.2f} to {high:.2f} of the measured times, each peak being known to a sample",
+    )
+
+
+def restoring_force_at_the_peaks() -> st.Finding:
+    measured = _measured()
+    rows = measured.at_peak & legible()
+    force = -WALL.mass * measured.acceleration[rows]
+    ratio = np.asarray(WALL.restoring_force(measured.displacement[rows]) / force)
+    return st.finding(
+        [ratio.min(), ratio.max()],
+        f"F_k is {ratio.min():.2f} to {ratio.max():.2f} of -M a at the legible peaks of Table A-1",
+    )

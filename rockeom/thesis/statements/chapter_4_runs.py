@@ -19,7 +19,7 @@ from rockeom.thesis.figures.chapter_4_shaken import (
 )
 from rockeom.thesis.figures.chapter_4_wall import legible
 from rockeom.thesis.free_vibration_table import WALL
-from rockeom.thesis.printed import TABLE_4_1, TABLE_4_3, TABLE_4_5
+from rockeom.thesis.printed import TABLE_4_1, TABLE_4_3
 from rockeom.thesis.statements import statement as st
 from rockeom.thesis.wall_tests import back_calculated_force
 
@@ -65,28 +65,6 @@ def printed_peaks_by_sdof() -> st.Finding:
 
 def tracking_of_run_4() -> st.Finding:
     return st.unknown("there is nothing to correlate with")
-
-
-def printed_peaks_with_110_kn() -> st.Finding:
-    ratios = [
-        abs(TABLE_4_5.cell(run, f"displacement, {name}") / TABLE_4_5.cell(run, "displacement"))
-        for run in ("7", "8", "9")
-        for name in ("r by 4-31", "constant r")
-    ]
-    return st.finding(ratios, f"{min(ratios):.2f} to {max(ratios):.2f} of the measured ones")
-
-
-def similarity_of_both_settings() -> st.Finding:
-    ratios = [
-        abs(TABLE_4_5.cell(run, "displacement, constant r"))
-        / abs(TABLE_4_5.cell(run, "displacement, r by 4-31"))
-        for run in ("7", "8", "9")
-    ]
-    return st.finding(ratios, f"{', '.join(f'{x:.2f}' for x in ratios)} in runs 7 to 9")
-
-
-def constant_restitution_of_table_4_5() -> st.Finding:
-    return st.finding(0.852, "0.852 in the head of the table and under Figure 4-79")
 
 
 def time_scale_of_run_4() -> st.Finding:

@@ -100,20 +100,6 @@ def range_of_the_table() -> st.Finding:
     return st.finding([peaks.min(), peaks.max()], f"{peaks.min():.3f} to {peaks.max():.3f} g")
 
 
-def range_of_the_displacements() -> st.Finding:
-    peaks = np.abs(_of_75_kn(TABLE_4_2, "largest displacement"))
-    return st.finding([peaks.min(), peaks.max()], f"{peaks.min():g} to {peaks.max():g} mm")
-
-
-def test_1_over_test_2() -> st.Finding:
-    one, two = (abs(TABLE_4_2.cell(run, "largest displacement")) for run in "12")
-    ratio = TABLE_4_1.cell("2", "PGA") / TABLE_4_1.cell("1", "PGA")
-    return st.finding(
-        one / two,
-        f"{one:.2f} and {two:.2f} mm; the peaks of the table are as 1 to {ratio:.2f}",
-    )
-
-
 def variation_of_the_initial_force() -> st.Finding:
     forces = _of_75_kn(TABLE_4_2, "tendon force before")
     spread = 100 * float(np.abs(forces / forces.mean() - 1).max())
@@ -181,27 +167,11 @@ def frequency_of_bending() -> st.Finding:
     )
 
 
-def figure_of_the_typical_errors() -> st.Finding:
-    return st.finding(
-        51, "4-51 is the spectrogram described; 4-61 is a drawing of the wall in flight"
-    )
-
-
-def _shares(run: str, until: float) -> tuple[float, float]:
-    """Parts of the shaken windows of a run from 3 to 5 and from 7 to 12 Hz [%]."""
-    f = frequencies(run, until)
-    low, high = (100 * np.mean((a <= f) & (f <= b)) for a, b in ((3, 5), (7, 12)))
-    return float(low), float(high)
-
-
-def smooth_rocking_in_run_1() -> st.Finding:
-    low, high = _shares("1", 30.0)
-    return st.finding(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
-
-
-def frequencies_of_run_2() -> st.Finding:
-    low, high = _shares("2", 30.0)
-    return st.finding(high, f"in kind {high:.0f} % from 7 to 12 Hz, {low:.0f} % from 3 to 5 Hz")
+def share_of_windows(run: str, until: str, low: str, high: str) -> st.Finding:
+    """Part of the windows of a run, to a time [s], whose frequency is between two [Hz]."""
+    f = frequencies(run, float(until))
+    share = 100 * float(np.mean((float(low) <= f) & (f <= float(high))))
+    return st.finding(share, f"in kind {share:.0f} % from {low} to {high} Hz")
 
 
 def tendon_without_uplift() -> st.Finding:
@@ -215,11 +185,6 @@ def tendon_without_uplift() -> st.Finding:
         f"{', '.join(f'{x:.1f}' for x in rise)} kN in runs 1, 2 and 6: the middle of the base is "
         f"lifted by {min(lifted):.2f} to {max(lifted):.2f} mm",
     )
-
-
-def smooth_rocking_in_run_4() -> st.Finding:
-    low, high = _shares("4", 15.0)
-    return st.finding(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
 
 
 # --- 4.9.1.1 uplifts and tendon forces
@@ -246,21 +211,14 @@ def _uplifts_over_4_9(runs: tuple[str, ...], bends: bool) -> np.ndarray:
     return np.asarray(read["uplift"] / figures.MORE.uplift(np.abs(read["displacement"])))
 
 
-def _above(runs: tuple[str, ...]) -> np.ndarray:
+def tendon_forces(prestress: str) -> st.Finding:
     """4-16 over the largest tendon force of each test, less 1 [%]."""
     off = []
-    for run in runs:
+    for run in next(runs for label, runs, _ in figures.GROUPS if label == prestress):
         wall = analysis.Wall.thesis(1e3 * TABLE_4_2.cell(run, "tendon force before"))
         force = float(wall.tendon_force(1e-3 * TABLE_4_2.cell(run, "largest displacement")))
         off.append(100 * (force / (1e3 * TABLE_4_2.cell(run, "largest tendon force")) - 1))
-    return np.array(off)
-
-
-def tendon_forces_of_75_kn() -> st.Finding:
-    off = _above(figures.RUNS)
-    return st.finding(
-        off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces"
-    )
+    return st.finding(off, f"4-16 lies {min(off):.1f} to {max(off):.1f} % above the largest forces")
 
 
 def spread_of_the_tendon_forces() -> st.Finding:
@@ -308,12 +266,6 @@ def centre_with_75_kn() -> st.Finding:
 # --- 4.9.2 110 kN
 
 
-def displacements_with_more_prestress() -> st.Finding:
-    rows = ("Tabas-A1-T0.38", "Northridge-A1-T0.6")
-    pairs = [[abs(TABLE_4_4.cell(row, f"displacement, {p} kN")) for p in (75, 110)] for row in rows]
-    return st.finding([b / a for a, b in pairs], ", ".join(f"{a:g} to {b:g} mm" for a, b in pairs))
-
-
 def acceleration_at_the_same_drift() -> st.Finding:
     few = abs(TABLE_4_4.cell("El Centro-A1-T1", "acceleration, 75 kN"))
     rows = ("El Centro-A1-T1", "Northridge-A1-T0.6")
@@ -323,19 +275,6 @@ def acceleration_at_the_same_drift() -> st.Finding:
         ratios,
         f"{ratios[0]:.2f} and {ratios[1]:.2f}; F_k of 4-30 at 4.5 mm {force[1] / force[0]:.2f}",
     )
-
-
-def motions_of_both_series() -> st.Finding:
-    ratios = [
-        TABLE_4_1.cell(more, name) / TABLE_4_1.cell(few, name)
-        for more, few in zip("789", "234", strict=True)
-        for name in ("PGA", "PGV")
-    ]
-    return st.finding(ratios, f"{min(ratios):.3f} to {max(ratios):.3f}")
-
-
-def equation_of_the_centre() -> st.Finding:
-    return st.finding(7, "4-7 is the equation of the rotation centre, 4-9 that of the uplift")
 
 
 def _beside_4_7(runs: tuple[str, ...]) -> tuple[np.ndarray, np.ndarray]:
@@ -368,13 +307,6 @@ def uplifts_with_more_prestress() -> st.Finding:
     return st.finding(many / few, f"uplift read from the tendon over 4-9: {said}")
 
 
-def tendon_forces_of_110_kn() -> st.Finding:
-    off = _above(figures.GROUPS[1][1])
-    return st.finding(
-        off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces"
-    )
-
-
 def force_threshold() -> st.Finding:
     few, many = (float(wall.restoring_force(2e-3)) / 1e3 for wall in (WALL, figures.MORE))
     return st.finding(many / few, f"at 2 mm {many:.1f} kN against {few:.1f} kN")
@@ -390,8 +322,3 @@ def restoring_force_with_more_prestress() -> st.Finding:
 
 
 # --- Appendix A
-
-
-def run_of_figure_a_2() -> st.Finding:
-    scale = TABLE_4_1.cell("2", "acceleration scale")
-    return st.finding(scale, f"{scale:g} in run 2, which Figure A-4 shows; run 1 has 0.5")

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from rockeom.analysis import formulas, identification
+from rockeom.thesis import shaken
 from rockeom.thesis.figures import chapter_5_tests as figures
 from rockeom.thesis.printed import COLUMN, FIGURE_5_10, GAUGE
 from rockeom.thesis.statements import statement as st
@@ -113,9 +114,15 @@ def mean_damping_on_rubber() -> st.Finding:
 
 def damping_against_the_peak() -> st.Finding:
     size, ratio = _damping()
-    every, later = (float(np.corrcoef(size[k:], ratio[k:])[0, 1]) for k in (0, 1))
-    return st.finding(
-        every, f"{every:+.2f}; {later:+.2f} after the first cycle, which has {ratio[0]:.3f}"
+    line = identification.fit(
+        lambda d, slope: d + slope * size / size[0], ratio, {"d": 0.07, "slope": 0.0}
+    )
+    low, high = line.interval("slope")
+    later = float(np.corrcoef(size[1:], ratio[1:])[0, 1])
+    return st.ranging(
+        [low, high],
+        f"{low:+.3f} to {high:+.3f} with 95 % confidence; without the first cycle, which has "
+        f"{ratio[0]:.3f}, the correlation is {later:+.2f}",
     )
 
 
@@ -146,4 +153,15 @@ def mean_restitution_of_the_captions() -> st.Finding:
         mean,
         f"the mean of Figure 5-6 is {mean:.3f}, of which 0.74 is about 12 % below, as 5.3.1 says; "
         f"of 0.81 it is {100 * (1 - 0.74 / 0.81):.1f} % below",
+    )
+
+
+def pulses_of_pacoima_dam() -> st.Finding:
+    motion = shaken.column_motion("4")
+    t = motion.dt * np.arange(len(motion.samples))
+    squares = np.asarray(motion.samples) ** 2
+    share = 100 * float(squares[t < 2].sum() / squares[t < 7].sum())
+    later = float(np.abs(motion.samples[(t >= 2) & (t < 7)]).max() / motion.peak)
+    return st.finding(
+        share, f"{share:.0f} %; the peak of the five seconds is {later:.2f} of the largest"
     )

@@ -245,7 +245,7 @@ class Statement:
         What should stand there, where the printed words are an error of the text; "" else.
     function : str
         Function that gives the finding, of a module of `rockeom.thesis.statements`, with its
-        arguments if it has any: "chapter_4_runs.peaks_of_run(1, SDOF)".
+        arguments if it has any: "chapter_4_runs.peaks_of_run(1; SDOF)".
     """
 
     place: str
@@ -272,7 +272,7 @@ class Statement:
         name, _, arguments = self.function.removesuffix(")").partition("(")
         module, _, function = name.rpartition(".")
         of = getattr(import_module(f"rockeom.thesis.statements.{module}"), function)
-        return of(*filter(None, arguments.split(", ")))
+        return of(*filter(None, arguments.split("; ")))
 
     def judged(self) -> Judgement:
         """The statement judged; open where a record that it needs is not at hand."""

@@ -1,0 +1,75 @@
+"""Statements on printed numbers alone: cells of tables, numbers of equations and figures."""
+
+import itertools
+
+import numpy as np
+
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN
+from rockeom.thesis.statements import statement as st
+from rockeom.thesis.tables import TABLES
+
+# --- cells
+
+
+def _sizes(table: str, columns: str, rows: str) -> np.ndarray:
+    """(m, n) sizes of numbers in columns and rows, each with " | " between them."""
+    names = itertools.product(columns.split(" | "), rows.split(" | "))
+    cells = [abs(TABLES[table].cell(row, column)) for column, row in names]
+    return np.reshape(cells, (len(columns.split(" | ")), -1))
+
+
+def _said(values: np.ndarray) -> str:
+    return ", ".join(f"{x:.3g}" for x in values.ravel())
+
+
+def largest(table: str, column: str) -> st.Finding:
+    """The largest size in a column."""
+    most = max(map(abs, TABLES[table].numbers(column)))
+    return st.finding(most, f"{most:g} at most")
+
+
+def ends(table: str, column: str, rows: str) -> st.Finding:
+    """The smallest and the largest size in some rows of a column."""
+    values = _sizes(table, column, rows)
+    return st.finding(
+        [values.min(), values.max()], f"{values.min():g} to {values.max():g} in these runs"
+    )
+
+
+def cells(table: str, column: str, rows: str) -> st.Finding:
+    """Sizes in some rows of a column."""
+    values = _sizes(table, column, rows).ravel()
+    return st.finding(values, _said(values))
+
+
+def columns(table: str, over: str, under: str, rows: str) -> st.Finding:
+    """Columns over another one."""
+    ratios = _sizes(table, over, rows) / _sizes(table, under, rows)
+    return st.finding(ratios.ravel(), _said(ratios))
+
+
+def rows(table: str, names: str, over: str, under: str) -> st.Finding:
+    """Rows over other ones, in each of some columns."""
+    ratios = _sizes(table, names, over) / _sizes(table, names, under)
+    return st.finding(ratios.ravel(), _said(ratios))
+
+
+# --- references of the text
+
+
+def equation(number: str, word: str) -> st.Finding:
+    """Whether the meaning of an equation has a word in it."""
+    meaning = EQUATIONS[number].meaning
+    return st.finding(word in meaning, f"{number} is the {meaning}")
+
+
+def figure(number: str, word: str) -> st.Finding:
+    """Whether the title of a figure, or why it is not drawn, has a word in it."""
+    title = FIGURES[number].title if number in FIGURES else NOT_DRAWN[number]
+    return st.finding(word in title, f"{number}: {title}")
+
+
+def elsewhere(number: str, where: str) -> st.Finding:
+    """A number as it stands in another place."""
+    return st.finding(float(number), f"{number} {where}")
