@@ -19,8 +19,11 @@ def _sizes(table: str, columns: str, rows: str) -> np.ndarray:
     return np.reshape(cells, (len(columns.split(" | ")), -1))
 
 
-def _said(values: np.ndarray) -> str:
-    return ", ".join(f"{x:.3g}" for x in values.ravel())
+def _said(columns: str, rows: str, values: np.ndarray) -> str:
+    """Each column with its numbers, and the rows."""
+    of = zip(columns.split(" | "), values, strict=True)
+    said = "; ".join(f"{name} {', '.join(f'{x:.3g}' for x in line)}" for name, line in of)
+    return f"{said} ({rows.replace(' |', ',')})"
 
 
 def largest(table: str, column: str) -> st.Finding:
@@ -39,20 +42,20 @@ def ends(table: str, column: str, rows: str) -> st.Finding:
 
 def cells(table: str, column: str, rows: str) -> st.Finding:
     """Sizes in some rows of a column."""
-    values = _sizes(table, column, rows).ravel()
-    return st.finding(values, _said(values))
+    values = _sizes(table, column, rows)
+    return st.finding(values.ravel(), _said(column, rows, values))
 
 
 def columns(table: str, over: str, under: str, rows: str) -> st.Finding:
     """Columns over another one."""
     ratios = _sizes(table, over, rows) / _sizes(table, under, rows)
-    return st.finding(ratios.ravel(), _said(ratios))
+    return st.finding(ratios.ravel(), _said(over, rows, ratios))
 
 
 def rows(table: str, names: str, over: str, under: str) -> st.Finding:
     """Rows over other ones, in each of some columns."""
     ratios = _sizes(table, names, over) / _sizes(table, names, under)
-    return st.finding(ratios.ravel(), _said(ratios))
+    return st.finding(ratios.ravel(), _said(names, f"{over} over {under}", ratios))
 
 
 # --- references of the text

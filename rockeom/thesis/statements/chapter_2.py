@@ -225,10 +225,17 @@ def steady_orbits_of_both_kinds() -> st.Finding:
 
 
 def dots_of_the_bifurcation_diagram() -> st.Finding:
-    counts = blocks.settled_counts()
-    at = {n: blocks.AMPLITUDES[counts == n] for n in (2, 4, 8)}
-    said = "; ".join(f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in at.items())
-    return st.finding(min(map(len, at.values())), said)
+    """Between the exact doublings, near which a motion settles slowly."""
+    _, *doublings = blocks.cascade().values[:4]
+    beta, counts = blocks.AMPLITUDES, blocks.settled_counts()
+    ends = zip((2, 4, 8), (beta[0], *doublings), doublings, strict=False)
+    at = [int(np.sum(counts[(beta >= low) & (beta < high)] == dots)) for dots, low, high in ends]
+    two, four, eight = doublings
+    return st.finding(
+        min(at),
+        f"2 dots to beta = {two:.4f}, 4 to {four:.4f} and 8 to {eight:.4f}, at {at[0]}, "
+        f"{at[1]} and {at[2]} values",
+    )
 
 
 def cascade_of_doublings() -> st.Finding:
