@@ -41,7 +41,7 @@ MOTION_NAMES = {
 """Name of the intended motion of each run of Table 4-1 whose record is at hand."""
 
 
-R_4_71 = 0.852
+RATIO = 0.852
 """Constant r of the oscillator in 4.9.1.4 and 4.9.1.5."""
 BESIDE = 0.1e-3
 """How far from upright the second of two runs begins that are compared in 4.9.1.5 [m]."""
@@ -166,9 +166,9 @@ def trials() -> dict[str, design.OscillatorResponse]:
     """
     mass, n = WALL.mass, WALL.rotation_centre.epsilon
     force = design.tabulated(WALL.restoring_force, 0.06)
-    passages = design.PassageDamping(R_4_71, n)
+    passages = design.PassageDamping(RATIO, n)
     natural = 2 * np.pi * np.sqrt(mass * 2e-3 / float(WALL.restoring_force(2e-3)))
-    critical = float(formulas.priestley_damping(R_4_71))
+    critical = float(formulas.priestley_damping(RATIO))
     viscous = design.ViscousDamping.of_ratio(critical, mass, natural)
     straight = design.tabulated(design.linear_start(WALL.restoring_force, 2e-3), 0.06)
     edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())

@@ -12,8 +12,7 @@ from rockeom.thesis import statements, wall_tests
 from rockeom.thesis.figures import (
     FIGURES,
     NOT_DRAWN,
-    chapter_4_runs as runs,
-    chapter_4_shaken,
+    chapter_4_shaken as runs,
     chapter_4_tests as tests,
 )
 
@@ -119,7 +118,7 @@ def test_motions_meant_for_the_table_beside_the_design_spectrum():
 
 
 def test_steady_motion_of_figure_4_72_is_its_own_mirror_image():
-    u, v, speeds = chapter_4_shaken.settled()
+    u, v, speeds = runs.settled()
     assert u.max() == pytest.approx(-u.min(), rel=1e-3)
     assert np.unique(np.round(np.abs(speeds), 5)).size == 1
     assert v.max() == pytest.approx(np.abs(speeds).max(), rel=1e-2)

@@ -83,12 +83,10 @@ def figure_2_8(ax: Axes) -> None:
     rigid = foundation.rigid_moment(rotation, weight, half_width)
     springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
     winkler = foundation.winkler_moment(rotation, weight, bed, half_width)
-    for moment, label, color in (
-        (rigid, "rigid ground", style.LINES[0]),
-        (springs, "two springs at $b/\\sqrt{3}$", style.LINES[1]),
-        (winkler, "Winkler bed", style.LINES[2]),
-    ):
-        ax.plot(rotation / uplift, moment / (weight * half_width), color=color, label=label)
+    names = "rigid ground", "two springs at $b/\\sqrt{3}$", "Winkler bed"
+    moments = zip(names, (rigid, springs, winkler), strict=True)
+    curves = [(name, rotation / uplift, moment / (weight * half_width)) for name, moment in moments]
+    dr.draw_curves(ax, curves, dr.SOLID)
     first = foundation.two_spring_uplift_rotation(weight, stiffness / 2, spacing) / uplift
     for words, at, offset, side in (
         ("an edge lifts", (1.0, 1 / 3), (10, -14), "left"),
@@ -104,11 +102,6 @@ def figure_2_8(ax: Axes) -> None:
 # --- 2.6 impacts as forces
 
 
-def gaussian(x, n):
-    """delta_n(x) of thesis 2-20."""
-    return np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi))
-
-
 @dr.thesis_axes(dr.Source.IN_KIND, 5.6, 3.4)
 def figure_2_15(ax: Axes) -> None:
     """The Gaussian that becomes Dirac's delta.
@@ -116,9 +109,8 @@ def figure_2_15(ax: Axes) -> None:
     In kind: the text does not say for which n it is drawn; 1, 0.5, 0.2 and 0.1 are a choice.
     """
     x = np.linspace(-2.0, 2.0, 2001)
-    dr.draw_curves(
-        ax, [(f"$n$ = {n:g}", x, gaussian(x, n)) for n in (1.0, 0.5, 0.2, 0.1)], dr.SOLID
-    )
+    bells = {n: np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi)) for n in (1.0, 0.5, 0.2, 0.1)}
+    dr.draw_curves(ax, [(f"$n$ = {n:g}", x, y) for n, y in bells.items()], dr.SOLID)
     ax.set(xlabel="$x$ [-]", ylabel=r"$\delta_n(x)$ [-]")
     ax.legend()
 

@@ -49,11 +49,6 @@ UNIT = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 """p = 1 rad/s, so that seconds are the time p t."""
 
 
-def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Response:
-    """Free rocking of 2-14 from rest at x."""
-    return let_go(UNIT, duration, law, theta=start * UNIT.alpha)
-
-
 def bare_portrait(ax: Axes, reach: float) -> None:
     ax.axhline(0, color=style.INK, lw=0.6)
     ax.axvline(0, color=style.INK, lw=0.6)
@@ -88,8 +83,8 @@ def figure_2_9(ax: Axes) -> None:
 
 @cache
 def released_inside_balance() -> rk.Response:
-    """The motion of Figure 2-10."""
-    return free_portrait(0.99, rk.EnergyRatio(0.9), 120.0)
+    """The motion of Figure 2-10, free rocking of 2-14 from rest."""
+    return let_go(UNIT, 120.0, rk.EnergyRatio(0.9), theta=0.99 * UNIT.alpha)
 
 
 @dr.thesis_axes(dr.Source.COMPUTED, 5.0, 4.2)
@@ -116,21 +111,26 @@ def figure_2_10(ax: Axes) -> None:
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 OMEGA, SPEED_RATIO = 2 * math.pi / 3, 0.5
 PERIOD = 2 * math.pi / OMEGA
+
+
+def shaking(beta: float, cycles: int) -> rk.GroundMotion:
+    """beta cos(omega t) for so many cycles."""
+    return rk.GroundMotion.harmonic(
+        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=cycles * PERIOD
+    )
+
+
 SETTLING, KEPT = 400, 24
 """Cycles of the ground before the ones that are shown, and those. Next to a doubling the motion
 settles slowly: at beta = 3.1075 it has two speeds, and seems to have four after 120 cycles."""
 
 
 @cache
-def driven(beta: float, start: tuple[float, float] = (0.1, 0.0)) -> rk.Response:
+def driven(beta: float) -> rk.Response:
     """2-13, put right, under beta cos(omega t) for `SETTLING` and `KEPT` cycles."""
-    ground = rk.GroundMotion.harmonic(
-        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=(SETTLING + KEPT) * PERIOD
-    )
     return rk.simulate(
-        SQUAT, ground, impact=rk.VelocityRatio(SPEED_RATIO),
-        initial={"x": start[0], "x_dot": start[1]},
-        options=rk.SolverOptions(rtol=1e-9, atol=1e-11),
+        SQUAT, shaking(beta, SETTLING + KEPT), impact=rk.VelocityRatio(SPEED_RATIO),
+        initial={"x": 0.1}, options=rk.SolverOptions(rtol=1e-9, atol=1e-11),
     )  # fmt: skip
 
 
@@ -153,12 +153,8 @@ START = 2.0
 
 def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> dynamics.StroboscopicMap:
     """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
-    ground = rk.GroundMotion.harmonic(
-        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
-    )
-    return dynamics.StroboscopicMap(
-        SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True
-    )
+    law = rk.VelocityRatio(speed_ratio)
+    return dynamics.StroboscopicMap(SQUAT, shaking(beta, 2), PERIOD, law, mirrored=True)
 
 
 @cache

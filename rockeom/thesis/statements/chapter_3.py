@@ -6,11 +6,14 @@ import numpy as np
 
 from rockeom.analysis import formulas, identification
 from rockeom.thesis.figures import chapter_3 as figures
-from rockeom.thesis.figures.chapter_3 import BLOCK, PRINTED_HOUSNER, R_HOUSNER, measured_impacts
-from rockeom.thesis.figures.chapter_3_forces import impact_forces
-from rockeom.thesis.figures.chapter_3_impacts import (
+from rockeom.thesis.figures.chapter_3 import (
+    BLOCK,
+    PRINTED_HOUSNER,
+    R_HOUSNER,
     corrected_impacts,
     fitted_change,
+    impact_forces,
+    measured_impacts,
 )
 from rockeom.thesis.points_of_interest import points_by_score
 from rockeom.thesis.printed import TABLE_3_1
