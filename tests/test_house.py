@@ -52,7 +52,7 @@ start = time.process_time()
 import rockeom
 seconds = time.process_time() - start
 import sys
-heavy = {"sympy", "llvmlite", "matplotlib", "scipy"} & set(sys.modules)
+heavy = {"sympy", "llvmlite", "matplotlib", "scipy", "rockeom.thesis"} & set(sys.modules)
 assert not heavy, f"import rockeom loads {sorted(heavy)}"
 print(seconds)
 """
@@ -278,7 +278,9 @@ def test_wheel_carries_the_generated_modules_and_nothing_else(released):
     generated = {f"rockeom/generated/{path.name}" for path in (ROOT / "generated").glob("*.py")}
     assert "rockeom/generated/rigid_block.py" in generated
     assert generated | {"rockeom/py.typed", "rockeom/generated/__init__.py"} <= carried
-    sources = {str(path.relative_to(ROOT)) for path in (ROOT / "rockeom").rglob("*.py")}
+    files = (path for path in (ROOT / "rockeom").rglob("*.*") if path.suffix != ".pyc")
+    sources = {str(path.relative_to(ROOT)) for path in files}
+    assert "rockeom/thesis/data/table_2_1.csv" in sources
     assert sources <= carried
     tops = {name.partition("/")[0] for name in carried}
     assert tops == {"rockeom", f"rockeom-{rockeom.__version__}.dist-info"}
@@ -322,6 +324,7 @@ def test_what_is_released_brings_its_command(released):
     assert run_released(released, command, "--version") == f"rockeom {rockeom.__version__}"
     listed = run_released(released, command, "models")
     assert all(f"\n{name} " in listed for name in SHIPPED)
+    assert "0.9544" in run_released(released, command, "thesis", "tables", "2-1")
 
 
 def test_what_is_released_says_what_it_is(released):

@@ -9,15 +9,13 @@ import shtab
 
 from rockeom.cli.motions import PULSES
 from rockeom.cli.simulate import LAWS
+from rockeom.cli.thesis.numbers import NUMBERS
 from rockeom.modelling.declared import module_of
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of, takes_support
 from rockeom.motion import library, units
 from rockeom.numbers.checks import InputError
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.units import main_units
-from rockeom.thesis import EQUATIONS
-from rockeom.thesis.figures import FIGURES
-from rockeom.thesis.tables import TABLES
 
 DESCRIPTION = """\
 Print a script for bash, zsh, fish or tcsh, by which Tab completes commands, options, structures,
@@ -77,12 +75,6 @@ def _actions(
 def _words(command: str, dest: str, names: Iterable[str | None]) -> Iterable[str]:
     """Words for an argument, by its name or by the placeholder in its help."""
     of_argument = {"set": _parameters, "initial": _states, "demand": _demands}
-    of_command: dict[str, Iterable[str]] = {
-        "thesis equations": EQUATIONS,
-        "thesis verify": EQUATIONS,
-        "thesis figure": FIGURES,
-        "thesis tables": TABLES,
-    }
     if dest in of_argument:
         return of_argument[dest]()
     if "NAME" in names:
@@ -95,10 +87,11 @@ def _words(command: str, dest: str, names: Iterable[str | None]) -> Iterable[str
     if "NAME=VALUE" in names:
         return ("storeys=", *_supports())
     placeholders: Mapping[str, Iterable[str]] = {
-        "LAW": LAWS, "UNITS": units.NAMES, "FIGURE": FIGURES,
+        "LAW": LAWS, "UNITS": units.NAMES, "FIGURE": NUMBERS["figure"],
     }  # fmt: skip
     words = [word for name, some in placeholders.items() if name in names for word in some]
-    return words or (of_command.get(command, ()) if "NUMBER" in names else ())
+    of_thesis = NUMBERS.get(command.removeprefix("thesis "), ()) if "NUMBER" in names else ()
+    return words or of_thesis
 
 
 def _words_of_records() -> Iterable[str]:

@@ -66,22 +66,25 @@ def side_by_side(number: str) -> tuple[TextTable, ...]:
 def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> TextTable:
     """A printed table and its rows computed again, the columns in pairs.
 
-    A column that was measured, or that the computation starts from, stands alone.
+    A measured column has no partner, nor has one that the computation starts from or repeats. The
+    computed columns that the thesis does not print come last.
     """
-    head: list[str] = []
-    columns: list[list[str]] = []
-    for name, printed, computed_cells in zip(
-        one.columns, zip(*one.rows, strict=True), zip(*rows, strict=True), strict=True
-    ):
-        alone = all(f is None or f == p for p, f in zip(printed, computed_cells, strict=True))
-        head += [name] if alone else [f"{name}, printed", "computed"]
-        columns += [[_text(p, digits=10) for p in printed]]
-        columns += [] if alone else [[_text(f, digits=4) for f in computed_cells]]
+    again = list(zip(*rows, strict=True))
+    columns: list[tuple[str, Iterable[str]]] = []
+    for i, name in enumerate(one.columns):
+        texts = [row[i] for row in one.cells]
+        if all(cell in (None, row[i]) for cell, row in zip(again[i], one.rows, strict=True)):
+            columns.append((name, texts))
+        else:
+            columns += [(f"{name}, printed", texts), ("computed", map(_text, again[i]))]
+    for name, cells in zip(one.computed_columns, again[len(one.columns) :], strict=True):
+        columns.append((f"{name}, computed", map(_text, cells)))
+    head, texts_of = zip(*columns, strict=True)
     return TextTable(
         one.number if one.number.startswith("Figure") else f"Table {one.number}",
         one.title,
-        tuple(head),
-        tuple(zip(*columns, strict=True)),
+        head,
+        tuple(zip(*texts_of, strict=True)),
         one.remarks,
     )
 
@@ -131,7 +134,7 @@ def _numbered(
     return TextTable(heading, title, ("measured", *names), rows)
 
 
-def _text(value: Cell, digits: int) -> str:
+def _text(value: Cell) -> str:
     if value is None:
         return "–"
-    return value if isinstance(value, str) else f"{float(value):.{digits}g}"
+    return value if isinstance(value, str) else f"{value:.4g}"

@@ -153,10 +153,11 @@ def test_failure_of_a_printed_form_is_shown(catalogue):
 def test_computed_columns_stand_beside_printed_ones(catalogue):
     tables = importlib.import_module("rockeom.thesis.tables")
     side_by_side = importlib.import_module("rockeom.thesis.side_by_side")
-    one = tables.PrintedTable("9-9", "sizes", ("name", "length [m]", "r"), (("a", 2.0, 0.5),))
-    text = catalogue.shown(side_by_side.beside(one, [("a", None, 0.25)]))
-    assert r"| name | length \[m\] | r, printed | computed |" in text
-    assert "| a | 2 | 0.5 | 0.25 |" in text
+    columns, cells = ("name", "length [m]", "r [-]"), (("a", "2", "0.50"),)
+    one = tables.PrintedTable("9-9", "sizes", columns, cells, computed_columns=("loss [%]",))
+    text = catalogue.shown(side_by_side.beside(one, [("a", None, 0.25, 75.0)]))
+    assert r"| name | length \[m\] | r \[-\], printed | computed | loss \[%\], computed |" in text
+    assert "| a | 2 | 0.50 | 0.25 | 75 |" in text
 
 
 def test_help_of_every_command_is_shown(catalogue):

@@ -74,5 +74,5 @@ def figure(number: str, word: str) -> st.Finding:
 
 
 def elsewhere(number: str, where: str) -> st.Finding:
-    """A number as it stands in another place."""
+    """A number of another place."""
     return st.finding(float(number), f"{number} {where}")

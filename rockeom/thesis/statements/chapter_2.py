@@ -432,7 +432,7 @@ def pulses_a_thousandth_apart() -> st.Finding:
     for amplitude in blocks.fates_of_2_13()["amplitude"].values:
         pair = [blocks.pulsed(8.0, amplitude * x, 2.192, 0.954) for x in (0.9995, 1.0005)]
         different += (pair[0].outcome == "overturned") != (pair[1].outcome == "overturned")
-    return st.finding(different, f"beside {different} peaks one of two pulses overturns the block")
+    return st.finding(different, f"at {different} peaks one of two such pulses overturns the block")
 
 
 def impulses_with_smaller_n() -> st.Finding:

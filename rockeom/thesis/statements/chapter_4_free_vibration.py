@@ -206,7 +206,8 @@ def crossings_within_the_boundary() -> st.Finding:
 def fit_of_4_9() -> st.Finding:
     measured = _measured()
     size = np.abs(measured.displacement)
-    uplift = np.where(measured.displacement > 0, measured.left_uplift, measured.right_uplift)
+    left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
+    uplift = np.where(measured.displacement > 0, left, right)
     fits = [
         float(identification.coefficient_of_determination(uplift[rows], WALL.uplift(size[rows])))
         for rows in (legible(), measured.at_peak & legible())

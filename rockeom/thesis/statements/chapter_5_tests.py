@@ -158,10 +158,10 @@ def mean_restitution_of_the_captions() -> st.Finding:
 
 def pulses_of_pacoima_dam() -> st.Finding:
     motion = shaken.column_motion("4")
-    t = motion.dt * np.arange(len(motion.samples))
-    squares = np.asarray(motion.samples) ** 2
-    share = 100 * float(squares[t < 2].sum() / squares[t < 7].sum())
-    later = float(np.abs(motion.samples[(t >= 2) & (t < 7)]).max() / motion.peak)
+    samples = np.abs(np.asarray(motion.samples))
+    t = float(motion.dt or 0.0) * np.arange(len(samples))
+    share = 100 * float((samples[t < 2] ** 2).sum() / (samples[t < 7] ** 2).sum())
+    later = float(samples[(t >= 2) & (t < 7)].max() / motion.peak)
     return st.finding(
         share, f"{share:.0f} %; the peak of the five seconds is {later:.2f} of the largest"
     )
