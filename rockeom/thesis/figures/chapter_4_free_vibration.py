@@ -198,7 +198,7 @@ def draw_speeds(ax: Axes) -> None:
     """Speed against displacement at the rows of Table A-1."""
     measured = identification.FreeVibration.table_a1()
     draw_rows(ax, measured.displacement * dr.MM, np.abs(measured.velocity))
-    ax.set(xlabel=dr.DELTA, ylabel=r"speed $|\dot\Delta|$ [m/s]", ylim=(0, None))
+    ax.set(xlabel=dr.DELTA, ylabel=r"speed $|\dot\Delta|$ [m/s]", ylim=(-0.02, None))
 
 
 def draw_paths_without_losses(ax: Axes, sided: bool) -> None:
@@ -245,7 +245,7 @@ def figure_4_26(ax: Axes) -> None:
     """
     draw_speeds(ax)
     draw_paths_without_losses(ax, sided=False)
-    ax.set_ylim(0, 0.9)
+    ax.set_ylim(-0.02, 0.9)
     style.legend_above(ax)
 
 

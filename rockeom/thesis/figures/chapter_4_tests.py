@@ -172,11 +172,10 @@ def draw_read(ax: Axes, quantity: str, unit: float) -> None:
     ax.set_xlabel(dr.SIZE)
 
 
-def draw_slid(ax: Axes, d: np.ndarray, y: np.ndarray, color: str, **look: object) -> None:
+def draw_slid(ax: Axes, d: np.ndarray, y: np.ndarray, color: str, label: str) -> None:
     """A curve (n,) over displacements [m] with the band of `SPREAD` to either side."""
-    band = (d - SPREAD) * dr.MM, (d + SPREAD) * dr.MM
-    ax.fill_betweenx(y, *band, color=color, alpha=0.15, lw=0, label="2.5 mm of sliding")
-    ax.plot(d * dr.MM, y, color=color, **look)  # type: ignore[arg-type]
+    ax.fill_betweenx(y, (d - SPREAD) * dr.MM, (d + SPREAD) * dr.MM, color=color, alpha=0.15, lw=0)
+    ax.plot(d * dr.MM, y, color=color, label=label)
 
 
 @dr.thesis_axes(dr.Source.IN_KIND, 7.6, 3.4, columns=2)
@@ -192,7 +191,7 @@ def figure_4_57(*axes: Axes) -> None:
         d = symmetric(far + SPREAD)
         for name, side in (("left", -1), ("right", 1)):
             uplift = WALL.uplift(d, side * WALL.half_width) * dr.MM
-            draw_slid(ax, d, uplift, style.FEET[name], label=f"{name} edge, 4-9")
+            draw_slid(ax, d, uplift, style.FEET[name], f"{name} edge, 4-9")
         for bends, face in ((False, "white"), (True, style.INK)):
             read = read_from_tendon(RUNS, bends)
             near = np.abs(read["displacement"]) < far
@@ -202,8 +201,8 @@ def figure_4_57(*axes: Axes) -> None:
                 color=style.INK, mfc=face, zorder=6, label=label,
             )  # fmt: skip
         ax.set_xlim(-far * dr.MM, far * dr.MM)
-    axes[0].set(ylabel="uplift $u'$ [mm]", ylim=(None, 18))
-    axes[0].legend(loc="upper center", fontsize=7, ncols=2)
+    axes[0].set(ylabel="uplift $u'$ [mm]", ylim=(None, 17))
+    axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_ylim(-0.6, 4.0)
 
 
@@ -219,7 +218,7 @@ def figure_4_58(*axes: Axes) -> None:
     overview_and_origin(*axes)
     for ax, far in zip(axes, (0.032, 0.012), strict=True):
         d = symmetric(far + SPREAD)
-        draw_slid(ax, d, WALL.tendon_force(d) / 1e3, style.LINES[0], label="4-16")
+        draw_slid(ax, d, WALL.tendon_force(d) / 1e3, style.LINES[0], "4-16")
         draw_measured(ax, "tendon_force", 1e3, "Table A-1 ")
         x, y = tests["displacement"] * dr.MM, tests["largest"] / 1e3
         label = "Table 4-2, largest of a test"
