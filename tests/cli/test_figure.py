@@ -1,6 +1,7 @@
 """`rockeom thesis figure`."""
 
 import importlib.util
+from dataclasses import replace
 
 import matplotlib.image
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 import rockeom as rk
 from rockeom import analysis
 from rockeom.cli import main
-from rockeom.thesis import shaken
+from rockeom.thesis import album, shaken
 from rockeom.thesis.figures import FIGURES, chapter_4_shaken
 
 FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
@@ -24,11 +25,8 @@ CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED | OF_RECORDS]
 
 def test_list_names_each_figure_and_what_it_shows(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    assert main(["thesis", "figure", "--list"]) == 0
-    with_flag = capsys.readouterr().out
     assert main(["thesis", "figure"]) == 0
     said = capsys.readouterr().out
-    assert said == with_flag
     lines = said.splitlines()
     for number, one in FIGURES.items():
         (line,) = (line for line in lines if line.split()[:1] == [number])
@@ -71,6 +69,8 @@ def test_format_is_that_of_the_name(suffix, tmp_path, capsys):
         (["4-35", "--out", "force"], ["--out force", ".png"]),
         (["4-35", "--out", "no/such/force.png"], ["no/such", "make it first"]),
         (["--out", "force.png"], ["name the figure"]),
+        (["--all"], ["--out FOLDER"]),
+        (["--all", "4-35", "--out", "figures"], ["leave NUMBER out"]),
     ],
 )
 def test_what_cannot_be_drawn_is_told_and_nothing_written(
@@ -83,6 +83,23 @@ def test_what_cannot_be_drawn_is_told_and_nothing_written(
     for word in words:
         assert word in said.err
     assert not list(tmp_path.iterdir())
+
+
+def test_all_figures_are_drawn_into_a_folder_with_a_contact_sheet(tmp_path, monkeypatch, capsys):
+    def missing():
+        raise rk.InputError("words").says("the extra 'fema' is not installed")
+
+    few = {n: FIGURES[n] for n in ("2-15", "2-22")} | {"4-7": replace(FIGURES["4-7"], draw=missing)}
+    monkeypatch.setattr(album, "FIGURES", few)
+    folder = tmp_path / "figures"
+    assert main(["thesis", "figure", "--all", "--out", str(folder)]) == 1
+    said = capsys.readouterr()
+    assert "drawing figure 2-22, 2 of 3 ..." in said.err
+    assert "figure 4-7 is not drawn: " in said.err
+    names = {"figure-2-15.png", "figure-2-22.png", "contact-sheet-1.png"}
+    assert {path.name for path in folder.iterdir()} == names
+    assert main(["thesis", "figure", "--all", "--out", str(folder / "figure-2-15.png")]) == 2
+    assert "figure-2-15.png is a file" in capsys.readouterr().err
 
 
 @pytest.mark.filterwarnings("error")
