@@ -297,6 +297,15 @@ def safe_peaks_above_overturning() -> st.Finding:
     return st.finding(int(np.isinf(changes["above"]).sum()), "; ".join(fates))
 
 
+def pulses_a_thousandth_apart() -> st.Finding:
+    """Pulses on both sides of each peak at which the fate of the block of Figure 2-13 changes."""
+    different = 0
+    for amplitude in blocks.fates_of_2_13()["amplitude"].values:
+        pair = [blocks.pulsed(8.0, amplitude * x, 2.192, 0.954) for x in (0.9995, 1.0005)]
+        different += (pair[0].outcome == "overturned") != (pair[1].outcome == "overturned")
+    return st.finding(different, f"at {different} peaks one of two such pulses overturns the block")
+
+
 def fates_of_similar_blocks() -> st.Finding:
     ratios = blocks.RATIOS_OF_2_14
     fell = [blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in ratios]
@@ -344,58 +353,6 @@ def acceleration_of_uplift() -> st.Finding:
     )
 
 
-def damping_of_fema_356() -> st.Finding:
-    r = np.linspace(0.49, 0.999, 200)
-    fema, priestley = formulas.fema_356_damping(r), formulas.priestley_damping(r)
-    less = 100 * (1 - fema / priestley)
-    return st.finding(
-        less.max(),
-        f"{less.min():.0f} to {less.max():.0f} % less; of the critical damping it is up to "
-        f"{100 * (priestley - fema).max():.0f} %",
-    )
-
-
-# --- 2.6 impacts as forces
-
-
-def peaks_of_the_dirac_formulation() -> st.Finding:
-    error = np.abs(forces.peaks_between(forces.released(1e-3))[:3] - forces.exact_peaks(3))
-    return st.finding(
-        error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most"
-    )
-
-
-def acceleration_of_the_impulse() -> st.Finding:
-    n, r = 1e-3, forces.ENERGY_RATIO
-    # half of the pulse is over at x = 0: the square of the speed there is sqrt(r) of that before
-    squared = 2 * (forces.START - forces.START**2 / 2) * math.sqrt(r)
-    largest = -math.log(math.sqrt(r)) / (n * math.sqrt(math.pi)) * squared
-    return st.finding(largest, f"{largest:.0f} against 1")
-
-
-# --- Table 2-3
-
-
-def ratios_of_table_2_3() -> st.Finding:
-    rows = computed("2-3")
-    r, damping = ([float(row[i] or 0.0) for row in rows] for i in (5, 6))
-    roots = [math.sqrt(x) for x in r]
-    return st.finding(
-        r,
-        f"{r[0]:.3f} and {r[1]:.3f}, and by 2-16 a damping of {damping[0]:.1f} and "
-        f"{damping[1]:.1f} %; printed are the velocity ratios, {roots[0]:.3f} and {roots[1]:.3f}",
-    )
-
-
-def damping_suggested_for_the_walls() -> st.Finding:
-    other, wall = (float(row[6] or 0.0) for row in computed("2-3"))
-    return st.finding(
-        wall,
-        f"{wall:.1f} %, and {other:.1f} % for UoA4 with the masses of UoA6; about 3 % comes of the "
-        "velocity ratio that Table 2-3 takes for r",
-    )
-
-
 _RECORDS = ("El Centro 1940 180", "Pacoima 254", "Sylmar SYL 032")
 
 
@@ -426,13 +383,33 @@ def estimates_of_fema_356() -> st.Finding:
     )
 
 
-def pulses_a_thousandth_apart() -> st.Finding:
-    """Pulses on both sides of each peak at which the fate of the block of Figure 2-13 changes."""
-    different = 0
-    for amplitude in blocks.fates_of_2_13()["amplitude"].values:
-        pair = [blocks.pulsed(8.0, amplitude * x, 2.192, 0.954) for x in (0.9995, 1.0005)]
-        different += (pair[0].outcome == "overturned") != (pair[1].outcome == "overturned")
-    return st.finding(different, f"at {different} peaks one of two such pulses overturns the block")
+def damping_of_fema_356() -> st.Finding:
+    r = np.linspace(0.49, 0.999, 200)
+    fema, priestley = formulas.fema_356_damping(r), formulas.priestley_damping(r)
+    less = 100 * (1 - fema / priestley)
+    return st.finding(
+        less.max(),
+        f"{less.min():.0f} to {less.max():.0f} % less; of the critical damping it is up to "
+        f"{100 * (priestley - fema).max():.0f} %",
+    )
+
+
+# --- 2.6 impacts as forces
+
+
+def peaks_of_the_dirac_formulation() -> st.Finding:
+    error = np.abs(forces.peaks_between(forces.released(1e-3))[:3] - forces.exact_peaks(3))
+    return st.finding(
+        error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most"
+    )
+
+
+def acceleration_of_the_impulse() -> st.Finding:
+    n, r = 1e-3, forces.ENERGY_RATIO
+    # half of the pulse is over at x = 0: the square of the speed there is sqrt(r) of that before
+    squared = 2 * (forces.START - forces.START**2 / 2) * math.sqrt(r)
+    largest = -math.log(math.sqrt(r)) / (n * math.sqrt(math.pi)) * squared
+    return st.finding(largest, f"{largest:.0f} against 1")
 
 
 def impulses_with_smaller_n() -> st.Finding:
@@ -450,6 +427,32 @@ def impulses_with_smaller_n() -> st.Finding:
         f"with half of n the acceleration reaches {ratios[0]:.2f} times as much, and the block is "
         f"within n of upright {1 / ratios[1]:.2f} times as long",
     )
+
+
+# --- Table 2-3
+
+
+def ratios_of_table_2_3() -> st.Finding:
+    rows = computed("2-3")
+    r, damping = ([float(row[i] or 0.0) for row in rows] for i in (5, 6))
+    roots = [math.sqrt(x) for x in r]
+    return st.finding(
+        r,
+        f"{r[0]:.3f} and {r[1]:.3f}, and by 2-16 a damping of {damping[0]:.1f} and "
+        f"{damping[1]:.1f} %; printed are the velocity ratios, {roots[0]:.3f} and {roots[1]:.3f}",
+    )
+
+
+def damping_suggested_for_the_walls() -> st.Finding:
+    other, wall = (float(row[6] or 0.0) for row in computed("2-3"))
+    return st.finding(
+        wall,
+        f"{wall:.1f} %, and {other:.1f} % for UoA4 with the masses of UoA6; about 3 % comes of the "
+        "velocity ratio that Table 2-3 takes for r",
+    )
+
+
+# --- 2.8 conclusion
 
 
 def blocks_of_all_sizes() -> st.Finding:

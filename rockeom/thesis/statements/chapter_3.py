@@ -19,6 +19,12 @@ from rockeom.thesis.points_of_interest import points_by_score
 from rockeom.thesis.printed import TABLE_3_1
 from rockeom.thesis.statements import statement as st
 
+
+def aspect_ratio() -> st.Finding:
+    ratio = 1 / math.tan(BLOCK.alpha)
+    return st.finding(ratio, f"{ratio:.2f} of the centroid's height and half of the width")
+
+
 # --- 3.2 the motion
 
 
@@ -130,6 +136,11 @@ def baseline_of_table_3_1() -> st.Finding:
     return st.finding([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
 
 
+def rise_of_the_horizontal_force() -> st.Finding:
+    ratio = TABLE_3_1.cell("horizontal", "measured peak") / TABLE_3_1.cell("horizontal", "baseline")
+    return st.finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
+
+
 def limit_of_the_vertical_force() -> st.Finding:
     h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **figures.SHAPE)
     weight = BLOCK.mass * BLOCK.gravity
@@ -228,12 +239,22 @@ def fit_of_losses(number: str, foot: str) -> st.Finding:
     return st.finding(off, f"off by {off:.2f} J at most where the {foot} foot lands")
 
 
-# --- errors of the text
+def restitution_against_the_speed() -> st.Finding:
+    slopes = [
+        float(np.polyfit(np.abs(of.speed), of.energy_ratio, 1)[0])
+        for of in map(measured_impacts().at_foot, ("left", "right"))
+    ]
+    return st.finding(
+        [-slopes[0], slopes[1]],
+        f"slopes of {slopes[0]:+.2f} and {slopes[1]:+.2f} s/rad of three impacts on each foot",
+    )
 
 
-def rise_of_the_horizontal_force() -> st.Finding:
-    ratio = TABLE_3_1.cell("horizontal", "measured peak") / TABLE_3_1.cell("horizontal", "baseline")
-    return st.finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
+def loss_against_the_impact_force() -> st.Finding:
+    return st.unknown("no impact force is printed but the peaks of one run, Table 3-1")
+
+
+# --- 3.3 summary
 
 
 def restitution_of_the_block() -> st.Finding:
@@ -242,11 +263,6 @@ def restitution_of_the_block() -> st.Finding:
         R_HOUSNER,
         f"{R_HOUSNER:.3f} at {1 / math.tan(BLOCK.alpha):.2f}; {five:.3f} belongs to 5",
     )
-
-
-def aspect_ratio() -> st.Finding:
-    ratio = 1 / math.tan(BLOCK.alpha)
-    return st.finding(ratio, f"{ratio:.2f} of the centroid's height and half of the width")
 
 
 def share_below_housner() -> st.Finding:
@@ -264,21 +280,6 @@ def bunches_of_restitution() -> st.Finding:
     return st.finding(
         sum(inside), f"{inside[0]}, {inside[1]} and {inside[2]} of the six printed lie in them"
     )
-
-
-def restitution_against_the_speed() -> st.Finding:
-    slopes = [
-        float(np.polyfit(np.abs(of.speed), of.energy_ratio, 1)[0])
-        for of in map(measured_impacts().at_foot, ("left", "right"))
-    ]
-    return st.finding(
-        [-slopes[0], slopes[1]],
-        f"slopes of {slopes[0]:+.2f} and {slopes[1]:+.2f} s/rad of three impacts on each foot",
-    )
-
-
-def loss_against_the_impact_force() -> st.Finding:
-    return st.unknown("no impact force is printed but the peaks of one run, Table 3-1")
 
 
 def matching_with_one_ratio() -> st.Finding:

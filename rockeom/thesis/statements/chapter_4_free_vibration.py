@@ -89,6 +89,18 @@ def uplift_against_displacement() -> st.Finding:
     )
 
 
+def fit_of_4_9() -> st.Finding:
+    measured = _measured()
+    size = np.abs(measured.displacement)
+    left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
+    uplift = np.where(measured.displacement > 0, left, right)
+    fits = [
+        float(identification.coefficient_of_determination(uplift[rows], WALL.uplift(size[rows])))
+        for rows in (legible(), measured.at_peak & legible())
+    ]
+    return st.ranging(fits, f"{fits[0]:.3f} at all legible rows, {fits[1]:.3f} at the peaks")
+
+
 def slopes_of_the_tendon_force() -> st.Finding:
     measured, chosen = _measured(), legible()
     size, force = np.abs(measured.displacement[chosen]), np.asarray(measured.tendon_force)[chosen]
@@ -203,18 +215,6 @@ def crossings_within_the_boundary() -> st.Finding:
     return st.finding(outside, f"{inside.sum()} of {len(inside)} measured crossings lie inside it")
 
 
-def fit_of_4_9() -> st.Finding:
-    measured = _measured()
-    size = np.abs(measured.displacement)
-    left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
-    uplift = np.where(measured.displacement > 0, left, right)
-    fits = [
-        float(identification.coefficient_of_determination(uplift[rows], WALL.uplift(size[rows])))
-        for rows in (legible(), measured.at_peak & legible())
-    ]
-    return st.ranging(fits, f"{fits[0]:.3f} at all legible rows, {fits[1]:.3f} at the peaks")
-
-
 def speeds_of_the_trajectories() -> st.Finding:
     measured, rows = _measured(), figures.peaks()[:5]
     own = [float(speed[-1]) for _, speed in figures.paths_without_losses()]
@@ -241,6 +241,9 @@ def times_of_the_trajectories() -> st.Finding:
         np.transpose(ratios),
         f"{low:.2f} to {high:.2f} of the measured times, each peak being known to a sample",
     )
+
+
+# --- 4.8.1 the restoring force
 
 
 def restoring_force_at_the_peaks() -> st.Finding:

@@ -318,6 +318,3 @@ def displacement_at_yield() -> st.Finding:
 
 def restoring_force_with_more_prestress() -> st.Finding:
     return st.unknown("no force of a test with 110 kN is printed but that of the tendon")
-
-
-# --- Appendix A

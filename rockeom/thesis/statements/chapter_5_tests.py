@@ -16,6 +16,17 @@ def distance_of_the_gauge() -> st.Finding:
     return st.finding(far, f"{far:.1f} mm of {1e3 * GAUGE[0]:g} and {1e3 * GAUGE[1]:g} mm")
 
 
+def stiffness_of_the_column() -> st.Finding:
+    k = [
+        float(identification.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)
+    ]
+    return st.finding(
+        k[0],
+        f"5-1 gives {k[0]:.1f} kN/m at their 0.112 s; {k[1]:.1f} kN/m belongs to 0.092 s, that of "
+        "the rubber pad",
+    )
+
+
 def rotations_of_figure_5_6() -> st.Finding:
     rotation = identification.rotation_from_displacement(
         figures.points(1)[1][::2], **figures.MEASURED_AT
@@ -49,6 +60,15 @@ def theoretical_ratio_below_the_mean() -> st.Finding:
     )
 
 
+def mean_restitution_of_the_captions() -> st.Finding:
+    mean = float(figures.impacts().energy_ratio.mean())
+    return st.finding(
+        mean,
+        f"the mean of Figure 5-6 is {mean:.3f}, of which 0.74 is about 12 % below, as 5.3.1 says; "
+        f"of 0.81 it is {100 * (1 - 0.74 / 0.81):.1f} % below",
+    )
+
+
 # --- run 2: soft rubber
 
 
@@ -76,6 +96,13 @@ def rotation_about_the_moving_centre() -> st.Finding:
     moving = float(identification.rotation_about_moving_centre(first, centre, GAUGE[1]))
     change = 100 * (moving / fixed - 1)
     return st.finding(abs(change), f"at {1e3 * first:.2f} mm 5-6 gives {change:+.2f} % of 5-2")
+
+
+def height_in_5_6() -> st.Finding:
+    return st.finding(
+        1e3 * COLUMN["height"],
+        f"H' = {1e3 * GAUGE[1]:g} mm, to the gauge; H of the mass is {1e3 * COLUMN['height']:g} mm",
+    )
 
 
 def quarter_periods_on_rubber() -> st.Finding:
@@ -126,34 +153,7 @@ def damping_against_the_peak() -> st.Finding:
     )
 
 
-# --- errors of the text
-
-
-def stiffness_of_the_column() -> st.Finding:
-    k = [
-        float(identification.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)
-    ]
-    return st.finding(
-        k[0],
-        f"5-1 gives {k[0]:.1f} kN/m at their 0.112 s; {k[1]:.1f} kN/m belongs to 0.092 s, that of "
-        "the rubber pad",
-    )
-
-
-def height_in_5_6() -> st.Finding:
-    return st.finding(
-        1e3 * COLUMN["height"],
-        f"H' = {1e3 * GAUGE[1]:g} mm, to the gauge; H of the mass is {1e3 * COLUMN['height']:g} mm",
-    )
-
-
-def mean_restitution_of_the_captions() -> st.Finding:
-    mean = float(figures.impacts().energy_ratio.mean())
-    return st.finding(
-        mean,
-        f"the mean of Figure 5-6 is {mean:.3f}, of which 0.74 is about 12 % below, as 5.3.1 says; "
-        f"of 0.81 it is {100 * (1 - 0.74 / 0.81):.1f} % below",
-    )
+# --- runs 3 and 4
 
 
 def pulses_of_pacoima_dam() -> st.Finding:
