@@ -196,7 +196,7 @@ def branches_of(frequency: float, start: ArrayLike) -> list[dynamics.OrbitBranch
     def at(amplitude: float) -> dynamics.StroboscopicMap:
         return stroboscope(frequency, amplitude)
 
-    down, up = (dynamics.orbit_branch(at, (6.02, end), start) for end in (5.6, 6.5))
+    down, up = (dynamics.orbit_branch(at, (6.02, end), start, step=0.04) for end in (5.6, 6.5))
     flips = [one for one in up.bifurcations if one.kind == "period doubling"]
     return [down, up, *(up.switched(one) for one in flips[:1])]
 
@@ -228,7 +228,7 @@ def figure_4_73(stated: Axes, sought: Axes) -> None:
         for start in ({"u": 0.0}, {"u": 0.02}, {"u": 0.004, "u_dot": -0.6}):
             dots(stated, z, settled_speeds(8.0, z, start)[0], style.INK, 3.0)
     state = dict(zip(("u", "u_dot"), DOUBLING, strict=True))
-    for z in np.arange(6.02, 6.5, 0.01):
+    for z in np.arange(6.02, 6.5, 0.02):
         speeds, state = settled_speeds(4.553, z, state)
         dots(sought, z, speeds, style.INK, 2.0)
     settled_at_8_hz = stroboscope(8.0, 6.02).points({"u": 0.004, "u_dot": 0.2}, 60)[-1]
@@ -243,6 +243,11 @@ def figure_4_73(stated: Axes, sought: Axes) -> None:
         ax.set_title(title, fontsize=9)
         ax.axvline(6.03, color=style.INK, lw=0.6, ls=":")
         ax.set(xlabel="amplitude $Z$ [m/s$^2$]", ylim=(-reach, reach))
+    for label, color in zip(("settled", "from rest"), (style.INK, style.LINES[1]), strict=True):
+        stated.plot([], [], ".", color=color, label=label)
+    for label, color in zip(("stable orbit", "unstable"), style.LINES[0::3], strict=True):
+        stated.plot([], [], ".", color=color, label=label)
+    stated.legend(loc="center", ncols=2, fontsize=7.5)
     stated.set_ylabel(r"velocity when upright $\dot\Delta$ [m/s]")
 
 

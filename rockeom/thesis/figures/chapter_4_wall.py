@@ -5,10 +5,8 @@ the thesis prints nothing else of the continuous record. Rows with a guessed num
 zero crossing is an instant without acceleration, so that its displacement is not zero.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
-from typing import NamedTuple
+from functools import cache
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -124,34 +122,14 @@ def figure_4_18(*axes: Axes) -> None:
     axes[1].set_xlim(-5, 5)
 
 
-class TendonOfTable(NamedTuple):
-    """Tendon forces of Table A-1.
-
-    displacement [m], force [N] (n,); legible, peaks (n,) : whether a row is legible, whether it is
-    a legible peak. fit : the initial force and the stiffness of 4-16, fitted to these peaks.
-    """
-
-    displacement: np.ndarray
-    force: np.ndarray
-    legible: np.ndarray
-    peaks: np.ndarray
-    fit: identification.Fit
-
-    @classmethod
-    def fitted(cls) -> TendonOfTable:
-        measured = identification.FreeVibration.table_a1()
-        chosen = legible()
-        peaks = chosen & measured.at_peak
-        x, force = measured.displacement, np.asarray(measured.tendon_force)
-        fit = identification.fit(
-            lambda start, factor: tendon_line(x[peaks], start, factor), force[peaks],
-            {"start": 75e3, "factor": 1.0},
-        )  # fmt: skip
-        return cls(x, force, chosen, peaks, fit)
-
-    def r_squared(self, wall: analysis.Wall, rows: np.ndarray) -> float:
-        computed = wall.tendon_force(self.displacement[rows])
-        return identification.coefficient_of_determination(self.force[rows], computed)
+@cache
+def tendon_fit() -> identification.Fit:
+    """Initial force [N] of 4-16 and the factor of its stiffness, by the peaks of Table A-1."""
+    measured = identification.FreeVibration.table_a1()
+    peaks = measured.at_peak & legible()
+    d, force = measured.displacement[peaks], np.asarray(measured.tendon_force)[peaks]
+    guess = {"start": 75e3, "factor": 1.0}
+    return identification.fit(lambda start, factor: tendon_line(d, start, factor), force, guess)
 
 
 def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
@@ -167,7 +145,6 @@ def figure_4_20(*axes: Axes) -> None:
     to the distance of the anchors instead of subtracting it. The curve lies above the peaks. Dotted
     is 4-16 with its initial force and its stiffness fitted to the legible peaks.
     """
-    fit = TendonOfTable.fitted().fit
     edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
     overview_and_origin(*axes)
     for ax, far in zip(axes, (0.032, 0.005), strict=True):
@@ -175,7 +152,7 @@ def figure_4_20(*axes: Axes) -> None:
         curves = (
             ("4-16 with 4-7 as printed", WALL.tendon_force(d)),
             ("4-16 with 4-7 from the edge", edge.tendon_force(d)),
-            ("stiffness fitted to peaks", tendon_line(d, **fit.values)),
+            ("stiffness fitted to peaks", tendon_line(d, **tendon_fit().values)),
         )
         dr.draw_curves(ax, [(label, d * dr.MM, y / 1e3) for label, y in curves], ("-", "--", ":"))
         draw_measured(ax, "tendon_force", 1e3)
