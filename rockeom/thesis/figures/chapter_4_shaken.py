@@ -6,7 +6,7 @@ degrees in FEMA P695's near-field set give it the printed 8.273 m/s2. The wall i
 (SDOF) and by 4-40 (MHSG); of the tests, Tables 4-2 to 4-5 have the peaks.
 """
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -132,23 +132,15 @@ def upright_speeds(run: rk.Response, after: float = 0.0) -> np.ndarray:
     return np.array([state["u_dot"] for state in late if abs(state["u"]) < 1e-9])
 
 
-def settled_run(
+def settled_speeds(
     frequency: float, amplitude: float, start: dict[str, float]
-) -> tuple[rk.Response, np.ndarray]:
-    """Motion under Z sin(2 pi f t), and its velocities when upright [m/s] after `CYCLES`."""
+) -> tuple[np.ndarray, rk.Response]:
+    """Velocities when upright [m/s] under Z sin(2 pi f t) after `CYCLES`, and the motion."""
     period = 1 / frequency
     motion = rk.GroundMotion.harmonic(amplitude, period=period, duration=(CYCLES + 40) * period)
     options = rk.SolverOptions(rtol=1e-9, atol=1e-11)
     run = rk.simulate(OSCILLATOR, motion, initial=start, options=options)
-    return run, upright_speeds(run, CYCLES * period)
-
-
-def settled_speeds(
-    frequency: float, amplitude: float, start: dict[str, float]
-) -> tuple[np.ndarray, dict[str, float]]:
-    """Velocities of `settled_run`, and its last state."""
-    run, speeds = settled_run(frequency, amplitude, start)
-    return speeds, {name: run.final[name] for name in ("u", "u_dot")}
+    return upright_speeds(run, CYCLES * period), run
 
 
 HARMONIC = (8.0, 5.88)
@@ -158,7 +150,7 @@ HARMONIC = (8.0, 5.88)
 @cache
 def settled() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Displacement, velocity and speeds when upright of the last cycles, under `HARMONIC`."""
-    run, speeds = settled_run(*HARMONIC, {"u": 0.0})
+    speeds, run = settled_speeds(*HARMONIC, {"u": 0.0})
     end = float(run.t[-1])
     last = run.at(np.linspace(end - 4 / HARMONIC[0], end, 1601))
     return last["u"], last["u_dot"], speeds
@@ -192,10 +184,7 @@ DOUBLING = (0.000228, 0.0341)
 
 def branches_of(frequency: float, start: ArrayLike) -> list[dynamics.OrbitBranch]:
     """Orbit branches of one period from 6.02 m/s2 down and up, and a branch that doubles."""
-
-    def at(amplitude: float) -> dynamics.StroboscopicMap:
-        return stroboscope(frequency, amplitude)
-
+    at = partial(stroboscope, frequency)
     down, up = (dynamics.orbit_branch(at, (6.02, end), start, step=0.04) for end in (5.6, 6.5))
     flips = [one for one in up.bifurcations if one.kind == "period doubling"]
     return [down, up, *(up.switched(one) for one in flips[:1])]
@@ -229,7 +218,8 @@ def figure_4_73(stated: Axes, sought: Axes) -> None:
             dots(stated, z, settled_speeds(8.0, z, start)[0], style.INK, 3.0)
     state = dict(zip(("u", "u_dot"), DOUBLING, strict=True))
     for z in np.arange(6.02, 6.5, 0.02):
-        speeds, state = settled_speeds(4.553, z, state)
+        speeds, run = settled_speeds(4.553, z, state)
+        state = {name: run.final[name] for name in state}
         dots(sought, z, speeds, style.INK, 2.0)
     settled_at_8_hz = stroboscope(8.0, 6.02).points({"u": 0.004, "u_dot": 0.2}, 60)[-1]
     for ax, frequency, first, reach, title in (
