@@ -42,7 +42,7 @@ def draw_all(folder: Path, say: Callable[[str], None]) -> list[str]:
 
 
 def contact_sheet(paths: list[Path]) -> Figure:
-    """Pictures beside one another, each below the number of its figure."""
+    """Pictures of figures in rows, each below its number."""
     figure = style.new_figure(13.0, 13.0)
     for place, path in enumerate(paths, 1):
         ax = figure.add_subplot(ROWS, COLUMNS, place)

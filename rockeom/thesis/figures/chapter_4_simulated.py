@@ -282,7 +282,7 @@ def figure_4_41(ax: Axes) -> None:
 
 @cache
 def miss(law: ImpactLaw) -> ModelPeaks:
-    """First thirteen peaks of the wall about fixed corners beside those of Table A-1."""
+    """First thirteen peaks of the wall about fixed corners, compared with Table A-1."""
     return released_peaks(FIXED, law)
 
 

@@ -1,8 +1,8 @@
 """Figures of the shaking-table tests of the wall of chapter 4, in kind, by the records intended.
 
 The motions of the table and the traces are lost. El Centro 180 (runs 1, 2 and 7) and Sylmar 360
-(runs 4 and 9) are at hand, Tabas and Llolleo (runs 3, 6 and 8) are not. Of the tests, Table 4-2 has
-the largest displacements and tendon forces.
+(runs 4 and 9) are at hand, Tabas and Llolleo (runs 3, 6 and 8) are not. Table 4-2 has the largest
+displacements and tendon forces of the tests.
 
 Moving windows, Figures 4-50 and 4-51, are on a simulated wall, sampled as the tests were, 200 times
 a second, with noise of 0.05 mm. The text states the window, 0.43 times the sampling rate, and its
@@ -114,7 +114,7 @@ RUNS = ("1", "2", "3", "4", "6")
 MORE = analysis.Wall.thesis(111e3)
 GROUPS = (("75 kN", RUNS, "o"), ("110 kN", ("7", "8", "9"), "s"))
 COLORS = (style.INK, style.LINES[1])
-"""Of the tests with 75 and with 110 kN."""
+"""Colours of the tests with 75 and with 110 kN."""
 
 
 def rows_of(runs: tuple[str, ...]) -> dict[str, np.ndarray]:
@@ -310,7 +310,7 @@ def figure_4_78(*axes: Axes) -> None:
 
 RATE, NOISE = 200.0, 0.05e-3
 OSCILLATOR = shaken.oscillator_of("5", rk.EnergyRatioAtSpeed.equation_4_31())
-"""That of Figure 4-37, with r of 4-31."""
+"""The oscillator of Figure 4-37, with r of 4-31."""
 
 
 def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.MeasuredRecord:
