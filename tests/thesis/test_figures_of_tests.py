@@ -12,6 +12,7 @@ from rockeom.thesis import statements, wall_tests
 from rockeom.thesis.figures import (
     FIGURES,
     NOT_DRAWN,
+    Source,
     chapter_4_shaken as runs,
     chapter_4_tests as tests,
 )
@@ -31,6 +32,12 @@ def test_every_figure_of_the_thesis_is_drawn_or_told_why_not():
     assert {n.rstrip("ab") for n in (*FIGURES, *NOT_DRAWN)} == every
     assert not set(FIGURES) & set(NOT_DRAWN)
     assert all(NOT_DRAWN.values())
+
+
+def test_figures_with_values_of_ones_own_say_which():
+    own = "2-8 2-14 2-15 2-17 2-19 2-20 2-21 2-22 4-36 4-38 4-39 4-48"
+    for one in map(FIGURES.get, own.split()):
+        assert (one.source, "In kind: " in one.text) == (Source.IN_KIND, True), one.number
 
 
 def test_names_in_the_reasons_exist():

@@ -32,8 +32,8 @@ def figure_2_6(top: Axes, bottom: Axes) -> None:
     Given are H/B = 1/0.3, read as H = 1 m and B = 0.3 m, omega = 56.10 rad/s, xi = 0.03 and
     theta_0 = 0.05 theta_crit. Left open are what theta_crit is, taken as atan(B/H); the
     deformation at the release, that of static equilibrium under a force on its mass,
-    u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
-    in full contact. With it is the same structure with exact kinematics and P-delta.
+    u_c (dotted); and what happens at an impact: here momentum is conserved (`Impulsive`), and each
+    ends in full contact. With it is the same structure with exact kinematics and P-delta.
     """
     omega, xi, height, half_width = OMEGA_OF_2_6, 0.03, 1.0, 0.3
     crit = math.atan(half_width / height)

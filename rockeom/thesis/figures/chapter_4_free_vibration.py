@@ -183,6 +183,7 @@ def figure_4_22b(ax: Axes) -> None:
     """I_o/R against the place of the rotation centre, from the centreline to the edge.
 
     I_o is B-9 with the added masses where they are, (d - B)^2; R from the centre to the centroid.
+    Dotted is its value at the edge.
     """
     b, ratio = inertia_over_radius()
     ax.plot(b * dr.MM, ratio, color=style.LINES[0])
