@@ -19,8 +19,8 @@ from rockeom.analysis import dynamics
 from rockeom.plots import style
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import drawn as dr
+from rockeom.thesis.figures.chapter_4_free_vibration import overview_and_origin, symmetric
 from rockeom.thesis.figures.chapter_4_simulated import history_of
-from rockeom.thesis.figures.chapter_4_wall import overview_and_origin, symmetric
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2, TABLE_4_3, TABLE_4_4
 from rockeom.thesis.wall_tests import back_calculated_force

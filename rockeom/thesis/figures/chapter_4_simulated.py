@@ -17,8 +17,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.figures import drawn as dr
-from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER
-from rockeom.thesis.figures.chapter_4_wall import legible, symmetric
+from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, legible, symmetric
 from rockeom.thesis.free_vibration_table import (
     STIFFER,
     WALL,

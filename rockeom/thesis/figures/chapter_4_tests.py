@@ -23,8 +23,12 @@ from rockeom.analysis import dynamics, formulas, identification
 from rockeom.plots import style
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import drawn as dr
+from rockeom.thesis.figures.chapter_4_free_vibration import (
+    draw_measured,
+    overview_and_origin,
+    symmetric,
+)
 from rockeom.thesis.figures.chapter_4_shaken import draw_forces_when_still, draw_static_force
-from rockeom.thesis.figures.chapter_4_wall import draw_measured, overview_and_origin, symmetric
 from rockeom.thesis.free_vibration_table import WALL, from_first_peak
 from rockeom.thesis.printed import TABLE_4_2
 

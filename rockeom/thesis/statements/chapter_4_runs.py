@@ -10,6 +10,7 @@ import numpy as np
 import rockeom as rk
 from rockeom.analysis import identification
 from rockeom.thesis import shaken
+from rockeom.thesis.figures.chapter_4_free_vibration import legible
 from rockeom.thesis.figures.chapter_4_shaken import (
     displacement,
     measured_peak,
@@ -18,7 +19,6 @@ from rockeom.thesis.figures.chapter_4_shaken import (
     settled,
     settled_speeds,
 )
-from rockeom.thesis.figures.chapter_4_wall import legible
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_3
 from rockeom.thesis.statements import statement as st

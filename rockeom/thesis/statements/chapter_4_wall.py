@@ -7,8 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from rockeom.analysis import formulas, identification
-from rockeom.thesis.figures.chapter_4_free_vibration import inertia_over_radius
-from rockeom.thesis.figures.chapter_4_wall import legible, tendon_fit
+from rockeom.thesis.figures.chapter_4_free_vibration import (
+    inertia_over_radius,
+    legible,
+    tendon_fit,
+)
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_2, TENDON
 from rockeom.thesis.statements import statement as st
