@@ -52,6 +52,9 @@ class ModelPeaks(NamedTuple):
     rms_time: float
     rms_peak: float
 
+    def __str__(self) -> str:
+        return f"{1e3 * self.rms_peak:.2f} mm and {1e3 * self.rms_time:.1f} ms"
+
 
 def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
     """First 13 peaks of Table A-1.
@@ -83,7 +86,7 @@ def free_vibration_peaks() -> tuple[ModelPeaks, ...]:
     tuple of ModelPeaks
         Peaks of each model.
     """
-    return tuple(_released(structure, law, says) for structure, law, says in _cases())
+    return tuple(released_peaks(structure, law, says) for structure, law, says in _cases())
 
 
 def _cases() -> list[tuple[rk.Structure, ImpactLaw | None, str]]:
@@ -115,27 +118,25 @@ def let_go(
     return rk.simulate(structure, rk.GroundMotion.none(duration), impact=law, initial=initial)
 
 
-def _released(structure: rk.Structure, law: ImpactLaw | None, says: str) -> ModelPeaks:
-    measured_time, measured_peak = measured_peaks()
-    start = float(measured_peak[0])
-    oscillates = isinstance(structure, rk.ControlledWallOscillator)
-    initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = let_go(structure, 1.6, law, **initial)
+def from_first_peak(
+    structure: rk.Structure, duration: float, law: ImpactLaw | None = None
+) -> rk.Response:
+    """Motion of a wall, or of its oscillator, let go from the first peak of Table A-1."""
+    start = float(measured_peaks()[1][0])
+    if isinstance(structure, rk.ControlledWallOscillator):
+        return let_go(structure, duration, law, u=start)
+    return let_go(structure, duration, law, theta=float(WALL.rotation(start)))
+
+
+def released_peaks(structure: rk.Structure, law: ImpactLaw | None, says: str = "") -> ModelPeaks:
+    """Peaks of a structure from the first one of Table A-1; says : its impact law, in words."""
+    run = from_first_peak(structure, 1.6, law)
     t = np.linspace(0.0, float(run.t[-1]), 4001)  # between them splines are exact to 1e-9 s
     state = run.at(t)
-    displacement = state["u"] if oscillates else WALL.height * np.sin(state["theta"])
+    displacement = state["u"] if "u" in state else WALL.height * np.sin(state["theta"])
     vibration = identification.FreeVibration.from_samples(t, displacement)
-    chosen = np.flatnonzero(vibration.at_peak)[:PEAKS]
-    time, peak = vibration.time[chosen], vibration.displacement[chosen]
-    return ModelPeaks(
-        model=type(structure).__name__,
-        law=says,
-        time=time,
-        peak=peak,
-        rms_time=_rms(time - measured_time),
-        rms_peak=_rms(peak - measured_peak),
-    )
-
-
-def _rms(errors: np.ndarray) -> float:
-    return float(np.sqrt(np.mean(errors**2)))
+    rows = np.flatnonzero(vibration.at_peak)[:PEAKS]
+    time, peak = vibration.time[rows], vibration.displacement[rows]
+    off = time - measured_peaks()[0], peak - measured_peaks()[1]
+    errors = [float(np.sqrt(np.mean(x**2))) for x in off]
+    return ModelPeaks(type(structure).__name__, says, time, peak, *errors)

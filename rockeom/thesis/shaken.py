@@ -9,17 +9,20 @@ The direction of a record on the table is not stated: its reversal changes the s
 """
 
 import math
+from dataclasses import replace
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
+from rockeom.analysis import design, formulas
 from rockeom.simulation.response import Response
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.thesis.free_vibration_table import STIFFER
+from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import COLUMN, TABLE_4_1
+from rockeom.thesis.wall_tests import energy_ratio_4_31
 
 G = 9.81
 COLUMN_RECORDS = {
@@ -36,6 +39,12 @@ MOTION_NAMES = {
     **dict.fromkeys("49", "Sylmar 360 in 0.6 of its time"),
 }
 """Name of the intended motion of each run of Table 4-1 whose record is at hand."""
+
+
+RATIO = 0.852
+"""Constant r of the oscillator in 4.9.1.4 and 4.9.1.5."""
+BESIDE = 0.1e-3
+"""How far from upright the second of two runs begins that are compared in 4.9.1.5 [m]."""
 
 
 class Peaks(NamedTuple):
@@ -143,6 +152,43 @@ def substitute_gravity_peaks(run: str, law: ImpactLaw) -> np.ndarray:
     wall = rk.SubstituteGravityWall.from_wall(wall_of(run))
     runs = (rk.simulate(wall, motion, impact=law) for motion in wall_motions(run))
     return np.array([peaks_of(one) for one in runs])
+
+
+@cache
+def trials() -> dict[str, design.OscillatorResponse]:
+    """Five seconds of the oscillator in run 4 with the backbones and damping of 4.9.1.4.
+
+    The thesis does not state their values. Here the other rotation centre is 4-7 referred to the
+    edge, since that of Figure 4-60 is lost; the linear start goes to 2 mm; the bilinear backbone is
+    the nearest up to 30 mm. Viscous damping is that of 2-16 for r at the period of the secant at
+    2 mm, either everywhere or below 5 mm together with r; the damping by the tangent stiffness has
+    the same ratio there.
+    """
+    mass, n = WALL.mass, WALL.rotation_centre.epsilon
+    force = design.tabulated(WALL.restoring_force, 0.06)
+    passages = design.PassageDamping(RATIO, n)
+    natural = 2 * np.pi * np.sqrt(mass * 2e-3 / float(WALL.restoring_force(2e-3)))
+    critical = float(formulas.priestley_damping(RATIO))
+    viscous = design.ViscousDamping.of_ratio(critical, mass, natural)
+    straight = design.tabulated(design.linear_start(WALL.restoring_force, 2e-3), 0.06)
+    edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
+    other = design.tabulated(edge.restoring_force, 0.06)
+    choices: dict[str, tuple[Any, tuple[design.Damping, ...]]] = {
+        "r = 0.852": (force, (passages,)),
+        "r by 4-31": (force, (design.PassageDamping(energy_ratio_4_31, n),)),
+        "centre 442, 66 mm": (other, (passages,)),
+        "linear start": (straight, (passages,)),
+        "bilinear": (design.bilinear_fit(WALL.restoring_force, 0.03), (passages,)),
+        "viscous below 5 mm": (force, (passages, replace(viscous, below=5e-3))),
+        "viscous": (force, (viscous,)),
+        "tangent stiffness": (force, (design.TangentDamping.of_ratio(critical, natural),)),
+    }
+    return {
+        name: design.EquivalentOscillator(mass, *choice).response(
+            wall_motion("4"), duration=5.0, step=2.5e-3
+        )
+        for name, choice in choices.items()
+    }
 
 
 @cache

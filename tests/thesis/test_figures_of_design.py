@@ -6,25 +6,12 @@ import pytest
 import rockeom as rk
 from rockeom.thesis import statements
 from rockeom.thesis.figures import (
+    FIGURES,
     chapter_2_blocks,
     chapter_2_design,
     chapter_4_shaken,
     chapter_4_tests,
 )
-
-
-@pytest.mark.parametrize(
-    ("number", "verdicts"),
-    [
-        ("2-2", ["holds", "holds"]),
-        ("2-20", ["holds", "differs"]),  # a lambda above 1 is not enough where the joint stiffens
-        ("2-21", ["holds"]),
-        ("2-22", ["differs", "open"]),  # the bilinear rule by Table 2-4; alpha_T is not stated
-        ("2-23", ["holds", "holds", "holds", "differs"]),  # the elastic and plastic rule is worse
-    ],
-)
-def test_verdicts_on_closed_forms(number, verdicts):
-    assert [one.judged().verdict.value for one in statements.of_figure(number)] == verdicts
 
 
 @pytest.mark.parametrize("margin", [0.99, 1.01])
@@ -53,8 +40,8 @@ def test_orbits_of_figure_2_11_and_doublings_of_2_12():
     symmetric, asymmetric = speeds(2.0), speeds(2.8)
     assert np.ptp(np.abs(symmetric)) < 1e-6
     assert chapter_2_blocks.distinct(np.abs(asymmetric)) == 2
-    found = [chapter_2_blocks.distinct(speeds(beta)) for beta in (3.0, 3.18, 3.22)]
-    assert found == [2, 4, 8]
+    found = [chapter_2_blocks.distinct(speeds(beta)) for beta in (3.0, 3.1075, 3.18, 3.22)]
+    assert found == [2, 2, 4, 8]  # the first doubling is at 3.1106
 
 
 def test_figure_2_12_has_no_cascade_where_half_of_the_energy_is_left():
@@ -88,6 +75,8 @@ def test_pulses_of_figures_2_13_and_2_14():
     changes = chapter_2_blocks.changes_of_fate(
         "slenderness", 3.5, 5.0, 151, amplitude=0.3, period=2.0, ratio=None
     )
+    labels = [text.get_text() for text in FIGURES["2-13"]().axes[1].texts]
+    assert labels.count("stands") == 2  # below the weakest, and about 0.454 g
     for value in (changes.slenderness.values * (1 + 2e-9 * side) for side in (-1, 1)):
         fell = chapter_2_blocks.pulsed(float(value[0]), 0.3, 2.0, None).outcome
         assert (fell == "overturned") == (value[0] > changes.high.values[0])

@@ -10,9 +10,9 @@ from rockeom.analysis import formulas, identification
 from rockeom.thesis.free_vibration_table import (
     STIFFER,
     WALL,
-    _released,
     free_vibration_peaks,
     measured_peaks,
+    released_peaks,
 )
 from rockeom.thesis.side_by_side import side_by_side
 
@@ -106,7 +106,7 @@ def test_laws_that_jump_answer_small_changes_by_half_a_millimetre(rows):
         (softer, None, rows[2]),
         (later, at_speed.equation_4_38(), rows[4]),
     ):
-        changed = _released(structure, law, "")
+        changed = released_peaks(structure, law, "")
         assert row.rms_peak - changed.rms_peak == pytest.approx(0.55e-3, abs=0.1e-3)
 
 

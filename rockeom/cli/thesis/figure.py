@@ -3,19 +3,20 @@
 import argparse
 import sys
 import textwrap
-from collections.abc import Mapping
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError, check_picture
 from rockeom.cli.text.terminal import listing, width
 from rockeom.cli.thesis.statements import in_words
 from rockeom.drawing.style import save_figure
+from rockeom.thesis.album import draw_all
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, ThesisFigure
 from rockeom.thesis.statements import of_figure
 
 DESCRIPTION = """\
-List the figures of Ma's thesis (2010) that are drawn again, or draw one of them into a file. A text
-next to it says what the thesis leaves open about a figure, and which assumption fills the gap.
+List the figures of Ma's thesis (2010) that are drawn again, draw one of them into a file, or all
+into a folder. A text next to a figure says what the thesis leaves open about it, and which
+assumption fills the gap.
 The first drawing of a simulated figure compiles its structures, which takes a second or two.
 """
 EPILOG = """\
@@ -23,6 +24,7 @@ examples:
   rockeom thesis figure                        the list
   rockeom thesis figure 4-35                   into figure-4-35.png
   rockeom thesis figure 2-16 --out block.pdf   into a file of your own: .png, .pdf or .svg
+  rockeom thesis figure --all --out figures    all of them, with contact sheets (a minute)
 """
 
 
@@ -30,22 +32,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "number", nargs="?", metavar="NUMBER", help="such as 4-35; a list of all if left out"
     )
-    parser.add_argument("--list", action="store_true", help="list all figures, as without NUMBER")
+    parser.add_argument("--all", action="store_true", help="draw all figures into the folder --out")
     parser.add_argument(
         "--out", type=Path, metavar="FILE", help="draw into FILE; figure-NUMBER.png if left out"
     )
 
 
 def run(args: argparse.Namespace) -> int:
+    if args.all:
+        if args.number is not None or args.out is None:
+            raise UsageError("--all draws every figure: leave NUMBER out and add --out FOLDER")
+        return bool(draw_all(args.out, lambda words: print(words, file=sys.stderr)))
     if args.number is None:
         if args.out is not None:
             raise UsageError(
                 f"--out {args.out}: name the figure as well: rockeom thesis figure 4-35 ..."
             )
-        print(_list(FIGURES, NOT_DRAWN))
+        print(_list())
         return 0
-    if args.list:
-        raise UsageError(f"--list shows all figures: leave {args.number} out")
     if args.number in NOT_DRAWN:
         raise UsageError(f"figure {args.number} is not drawn: {NOT_DRAWN[args.number]}")
     if args.number not in FIGURES:
@@ -60,13 +64,11 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _list(figures: Mapping[str, ThesisFigure], not_drawn: Mapping[str, str]) -> str:
-    rows = [("", "FROM", "WHAT IT SHOWS")]
-    rows += [(one.number, one.source.value, one.title) for one in figures.values()]
-    parts = [listing(rows), f"{len(figures)} figures; rockeom thesis figure NUMBER draws one."]
-    if not_drawn:
-        parts.append("Not drawn, and why:\n" + listing(list(not_drawn.items())))
-    return "\n\n".join(parts)
+def _list() -> str:
+    of_each = ((one.number, one.source.value, one.title) for one in FIGURES.values())
+    rows = [("", "FROM", "WHAT IT SHOWS"), *of_each]
+    drawn = f"{listing(rows)}\n\n{len(FIGURES)} figures; rockeom thesis figure NUMBER draws one."
+    return f"{drawn}\n\nNot drawn, and why:\n{listing(list(NOT_DRAWN.items()))}"
 
 
 def _explained(one: ThesisFigure) -> str:

@@ -12,7 +12,7 @@ from rockeom.analysis.formulas import foundation
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.formulas.uplift import uplift_displacement, uplifted_frequency
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.free_vibration_table import let_go
 
 OMEGA_OF_2_6 = 56.10
@@ -25,15 +25,15 @@ START, ENERGY_RATIO = 0.4, 0.7225
 # --- 2.4 flexible structures and foundations
 
 
-@thesis_panels(Source.COMPUTED, 7.2, 5.0)
-def figure_2_6(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.2, 5.0, 2, sharex=True)
+def figure_2_6(top: Axes, bottom: Axes) -> None:
     """Free vibration of Chopra and Yim's oscillator: rotation and deformation.
 
     Given are H/B = 1/0.3, read as H = 1 m and B = 0.3 m, omega = 56.10 rad/s, xi = 0.03 and
     theta_0 = 0.05 theta_crit. Left open are what theta_crit is, taken as atan(B/H); the
     deformation at the release, that of static equilibrium under a force on its mass,
-    u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
-    in full contact. With it is the same structure with exact kinematics and P-delta.
+    u_c (dotted); and what happens at an impact: here momentum is conserved (`Impulsive`), and each
+    ends in full contact. With it is the same structure with exact kinematics and P-delta.
     """
     omega, xi, height, half_width = OMEGA_OF_2_6, 0.03, 1.0, 0.3
     crit = math.atan(half_width / height)
@@ -45,7 +45,6 @@ def figure_2_6(figure: Figure) -> None:
         mass=small.mass, height=height, inertia=0.0, base_mass=0.0, base_height=0.0,
         base_inertia=0.0, half_width=half_width, stiffness=small.stiffness, damping=small.damping,
     )  # fmt: skip
-    top, bottom = figure.subplots(2, 1, sharex=True)
     for structure, label, line in (
         (small, "small displacements (2-7)", {"color": style.LINES[0]}),
         (exact, "exact kinematics, P-delta", {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
@@ -54,25 +53,26 @@ def figure_2_6(figure: Figure) -> None:
         top.plot(run.t, run["theta"] / crit, label=label, **line)
         bottom.plot(run.t, run["u"] / u_c, **line)
     for level in (-1.0, 1.0):
-        bottom.axhline(level, color=style.INK, lw=0.8, ls=":")
+        bottom.axhline(level, ls=":", **dr.THIN)
     style.legend_above(top)
     top.set_ylabel(r"$\theta/\theta_{crit}$ [-]")
-    bottom.set(ylabel="$u/u_c$ [-]", xlabel="time [s]")
+    bottom.set(ylabel="$u/u_c$ [-]", xlabel=dr.TIME)
     uplifted = uplifted_frequency(omega, half_width, height) / omega
-    figure.suptitle(
+    style.parent_figure(top).suptitle(
         f"Free vibration of an uplifting oscillator; $u_c$ = {1e3 * u_c:.3f} mm, "
         rf"$\lambda_r/\omega$ = {uplifted:.2f}",
         fontsize=9.5,
     )
 
 
-@thesis_axes(Source.COMPUTED, 6.0, 3.8)
+@dr.thesis_axes(dr.Source.IN_KIND, 6.0, 3.8)
 def figure_2_8(ax: Axes) -> None:
     """Moment and rotation of a mat on rigid ground, two springs and a tension-less Winkler bed.
 
-    The figure gives no numbers. Here the two springs and the bed have the same vertical and
-    rotational stiffness (Table 2-2 for a rectangular mat), the moment is in units of W b and the
-    rotation in that at which an edge lifts off the bed.
+    The figure gives no numbers. In kind: that the two springs and the bed have the same vertical
+    and rotational stiffness (Table 2-2 for a rectangular mat) is a choice. The moment is in units
+    of W b and the rotation in that at which an edge lifts off the bed, so that no other value
+    counts.
     """
     weight, half_width, stiffness = 1.0, 1.0, 1.0
     bed = float(foundation.winkler_stiffness(stiffness, half_width))
@@ -82,44 +82,35 @@ def figure_2_8(ax: Axes) -> None:
     # the ground bears any moment up to that of the edge before the mat turns
     rigid = foundation.rigid_moment(rotation, weight, half_width)
     springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
-    ax.set_prop_cycle(color=style.LINES)
-    for moment, label in (
-        (rigid, "rigid ground"),
-        (springs, "two springs at $b/\\sqrt{3}$"),
-        (foundation.winkler_moment(rotation, weight, bed, half_width), "Winkler bed"),
-    ):
-        ax.plot(rotation / uplift, moment / (weight * half_width), label=label)
+    winkler = foundation.winkler_moment(rotation, weight, bed, half_width)
+    names = "rigid ground", "two springs at $b/\\sqrt{3}$", "Winkler bed"
+    moments = zip(names, (rigid, springs, winkler), strict=True)
+    curves = [(name, rotation / uplift, moment / (weight * half_width)) for name, moment in moments]
+    dr.draw_curves(ax, curves, dr.SOLID)
     first = foundation.two_spring_uplift_rotation(weight, stiffness / 2, spacing) / uplift
-    ax.plot([1.0, first], [1 / 3, 1 / math.sqrt(3)], "o", color=style.INK, ms=4, zorder=5)
-    ax.annotate("an edge lifts", (1.0, 1 / 3), xytext=(10, -14), textcoords="offset points")
-    ax.annotate(
-        "a spring is free", (first, 1 / math.sqrt(3)), xytext=(-6, 5), textcoords="offset points",
-        ha="right",
-    )  # fmt: skip
-    ax.set(
-        xlabel=r"rotation $\theta/\theta_{up}$ [-]",
-        ylabel="moment $M/(W b)$ [-]",
-        xlim=(0, 8),
-        ylim=(0, 1.1),
-    )
+    for words, at, offset, side in (
+        ("an edge lifts", (1.0, 1 / 3), (10, -14), "left"),
+        ("a spring is free", (first, 1 / math.sqrt(3)), (-6, 5), "right"),
+    ):
+        ax.plot(*at, "o", color=style.INK, ms=4, zorder=5)
+        ax.annotate(words, at, offset, textcoords="offset points", ha=side)
+    rotation_label = r"rotation $\theta/\theta_{up}$ [-]"
+    ax.set(xlabel=rotation_label, ylabel="moment $M/(W b)$ [-]", xlim=(0, 8), ylim=(0, 1.1))
     ax.legend(loc="lower right")
 
 
 # --- 2.6 impacts as forces
 
 
-def gaussian(x, n):
-    """delta_n(x) of thesis 2-20."""
-    return np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi))
-
-
-@thesis_axes(Source.COMPUTED, 5.6, 3.4)
+@dr.thesis_axes(dr.Source.IN_KIND, 5.6, 3.4)
 def figure_2_15(ax: Axes) -> None:
-    """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
-    ax.set_prop_cycle(color=style.LINES)
+    """The Gaussian that becomes Dirac's delta.
+
+    In kind: the text does not say for which n it is drawn; 1, 0.5, 0.2 and 0.1 are a choice.
+    """
     x = np.linspace(-2.0, 2.0, 2001)
-    for n in (1.0, 0.5, 0.2, 0.1):
-        ax.plot(x, gaussian(x, n), label=f"$n$ = {n:g}")
+    bells = {n: np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi)) for n in (1.0, 0.5, 0.2, 0.1)}
+    dr.draw_curves(ax, [(f"$n$ = {n:g}", x, y) for n, y in bells.items()], dr.SOLID)
     ax.set(xlabel="$x$ [-]", ylabel=r"$\delta_n(x)$ [-]")
     ax.legend()
 
@@ -150,8 +141,8 @@ def exact_peaks(number: int) -> np.ndarray:
     return 1 - np.sqrt(1 - 2 * energy)
 
 
-@thesis_panels(Source.COMPUTED, 9.0, 5.6)
-def figure_2_16(figure: Figure) -> None:
+@dr.thesis_figure(dr.Source.COMPUTED)
+def figure_2_16() -> Figure:
     """The block released from x = 0.4 by both formulations, and how the one nears the other.
 
     All is given: a 1:3 block, r = 0.7225, which is that of 2-6, and n = 1e-3. The steps are those
@@ -160,6 +151,7 @@ def figure_2_16(figure: Figure) -> None:
     assert math.isclose(float(energy_ratio_of_block(math.atan(1 / 3))), ENERGY_RATIO)
     spread, sudden = released(1e-3), released_with_impacts()
     alpha = math.atan(1 / 3)
+    figure = style.new_figure(9.0, 5.6)
     grid = figure.add_gridspec(3, 2, width_ratios=(1.7, 1.0))
     axes = [figure.add_subplot(grid[i, 0]) for i in range(3)]
     x = sudden["theta"] / alpha
@@ -188,15 +180,17 @@ def figure_2_16(figure: Figure) -> None:
     ax.loglog(widths, widths, ":", color=style.INK, label="$n$")
     ax.set(xlabel="$n$ [-]", ylabel="error of the peaks after an impact [-]")
     ax.legend()
+    return figure
 
 
-@thesis_axes(Source.COMPUTED, 7.2, 3.6)
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 3.6)
 def figure_2_17(ax: Axes) -> None:
-    """The effect of n on the same motion; the text does not say for which three n it is drawn."""
-    ax.set_prop_cycle(color=style.LINES)
-    for n in (1e-1, 1e-2, 1e-3):
-        run = released(n)
-        ax.plot(run.t, run["x"], label=f"$n$ = {n:g}")
+    """The effect of n on the same motion.
+
+    In kind: the text does not say for which three n it is drawn; 0.1, 0.01 and 0.001 are a choice.
+    """
+    runs = {n: released(n) for n in (1e-1, 1e-2, 1e-3)}
+    dr.draw_curves(ax, [(f"$n$ = {n:g}", run.t, run["x"]) for n, run in runs.items()], dr.SOLID)
     sudden = released_with_impacts()
     ax.plot(sudden.t, sudden["theta"] / math.atan(1 / 3), ":", color=style.INK, label="piecewise")
     ax.set(xlim=(0, 8), xlabel=r"scaled time $\tau$ [-]", ylabel="$x$ [-]")

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom.analysis import dynamics
@@ -20,35 +19,27 @@ from rockeom.analysis.dynamics.branches import FLIPS
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import TABLE_2_1
 
 # --- 2.2 restitution
 
 
-@thesis_axes(Source.PRINTED, 5.6, 3.6)
+@dr.thesis_axes(dr.Source.PRINTED, 5.6, 3.6)
 def figure_2_2(ax: Axes) -> None:
     """Restitution of blocks of different slenderness: 2-6 and the measured values of Table 2-1."""
     ratio, measured = (np.array(TABLE_2_1.numbers(name)) for name in ("H/B", "measured r"))
     slender = np.linspace(1.8, 9.0, 200)
     ax.plot(slender, energy_ratio_of_block(np.arctan(1 / slender)), color=style.INK, label="2-6")
-    sources = (
-        "Ogawa (1977)",
-        "Peña et al. (2007)",
-        "Aslam et al. (1980)",
-        "ElGawady et al. (2006)",
-    )
-    for source, rows, mark, color in zip(
-        sources, ([0, 1, 2], [3, 6, 7], [4], [5]), "os^D", style.LINES, strict=False
+    for source, rows, mark, color in (
+        ("Ogawa (1977)", [0, 1, 2], "o", style.LINES[0]),
+        ("Peña et al. (2007)", [3, 6, 7], "s", style.LINES[1]),
+        ("Aslam et al. (1980)", [4], "^", style.LINES[2]),
+        ("ElGawady et al. (2006)", [5], "D", style.LINES[3]),
     ):
         ax.plot(ratio[rows], measured[rows], mark, color=color, ms=5, label=source)
-    ax.set(
-        xlabel="slenderness $H/B$ [-]",
-        ylabel="energy ratio $r$ [-]",
-        xlim=(1.8, 9.0),
-        ylim=(0.35, 1.0),
-    )
+    ax.set(xlabel="slenderness $H/B$ [-]", ylabel=dr.RATIO, xlim=(1.8, 9.0), ylim=(0.35, 1.0))
     ax.legend(loc="lower right")
 
 
@@ -58,17 +49,11 @@ UNIT = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 """p = 1 rad/s, so that seconds are the time p t."""
 
 
-def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Response:
-    """Free rocking of 2-14 from rest at x."""
-    return let_go(UNIT, duration, law, theta=start * UNIT.alpha)
-
-
 def bare_portrait(ax: Axes, reach: float) -> None:
     ax.axhline(0, color=style.INK, lw=0.6)
     ax.axvline(0, color=style.INK, lw=0.6)
-    ax.set(
-        xlabel=r"rotation $x=\theta/\alpha$ [-]", ylabel=r"rate $\dot x$ [-]", xlim=(-reach, reach)
-    )
+    ax.set(xlabel=r"rotation $x=\theta/\alpha$ [-]", xlim=(-reach, reach))
+    ax.set_ylabel(r"rate $\dot x$ [-]")
 
 
 def arrow(ax: Axes, x: np.ndarray, y: np.ndarray, at: int, color: str) -> None:
@@ -78,13 +63,13 @@ def arrow(ax: Axes, x: np.ndarray, y: np.ndarray, at: int, color: str) -> None:
     )  # fmt: skip
 
 
-@thesis_axes(Source.COMPUTED, 5.0, 4.2)
+@dr.thesis_axes(dr.Source.COMPUTED, 5.0, 4.2)
 def figure_2_9(ax: Axes) -> None:
     """Phase portrait of a free block without losses, from a range of rotations.
 
     Drawn is 2-14; its trajectories are hyperbolas, x'**2 = (1 - |x|)**2 - (1 - x_0)**2. The
-    rotations of the thesis are not stated: here they are 0.2 to 0.95 of alpha, and the balance,
-    which bounds them (dashed).
+    rotations of the thesis are not stated: 0.2 to 0.95 of alpha are a choice of some of them. The
+    balance bounds them (dashed).
     """
     for start, color in zip((0.2, 0.4, 0.6, 0.8, 0.95), style.LINES, strict=False):
         x = start * np.cos(np.linspace(0.0, np.pi, 801))  # closer together where it turns
@@ -98,25 +83,26 @@ def figure_2_9(ax: Axes) -> None:
 
 @cache
 def released_inside_balance() -> rk.Response:
-    """The motion of Figure 2-10."""
-    return free_portrait(0.99, rk.EnergyRatio(0.9), 120.0)
+    """The motion of Figure 2-10, free rocking of 2-14 from rest."""
+    return let_go(UNIT, 120.0, rk.EnergyRatio(0.9), theta=0.99 * UNIT.alpha)
 
 
-@thesis_axes(Source.COMPUTED, 5.0, 4.2)
+@dr.thesis_axes(dr.Source.COMPUTED, 5.0, 4.2)
 def figure_2_10(ax: Axes) -> None:
     """Phase portrait of a free block with r = 0.9, released just inside its balance.
 
-    Drawn is 2-14 from x = 0.99, which is a choice. r is the ratio of kinetic energies of 2-4, so
-    that the speed falls to 0.949 of itself at each crossing.
+    Drawn is 2-14 from x = 0.99, which is a choice. r is the ratio of kinetic energies
+    of 2-4, so that the speed falls to 0.949 of itself at each crossing; circles are the rates after
+    the first six impacts.
     """
     run = released_inside_balance()
     x, rate = run["theta"] / UNIT.alpha, run["theta_dot"] / UNIT.alpha
+    bare_portrait(ax, 1.15)
     ax.plot(x, rate, color=style.LINES[0], lw=0.9)
     arrow(ax, x, rate, int(np.argmax(x < 0.5)), style.LINES[0])
-    crossings = run.impacts[:6]
-    ax.plot(np.zeros(len(crossings)), [e.after["theta_dot"] / UNIT.alpha for e in crossings], ".",
-            color=style.LINES[1], ms=5, label="after an impact")  # fmt: skip
-    bare_portrait(ax, 1.15)
+    after = [event.after["theta_dot"] / UNIT.alpha for event in run.impacts[:6]]
+    ax.plot(np.zeros(6), after, "o", color=style.LINES[1], mfc="white", ms=5, zorder=6,
+            label="after an impact")  # fmt: skip
     ax.legend(loc="upper right")
 
 
@@ -125,26 +111,27 @@ def figure_2_10(ax: Axes) -> None:
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 OMEGA, SPEED_RATIO = 2 * math.pi / 3, 0.5
 PERIOD = 2 * math.pi / OMEGA
-SETTLING, KEPT = 120, 24
-"""Cycles of the ground before the ones that are shown, and those."""
+
+
+def shaking(beta: float, cycles: int) -> rk.GroundMotion:
+    """beta cos(omega t) for so many cycles."""
+    return rk.GroundMotion.harmonic(
+        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=cycles * PERIOD
+    )
+
+
+SETTLING, KEPT = 400, 24
+"""Cycles of the ground before the ones that are shown, and those. Next to a doubling the motion
+settles slowly: at beta = 3.1075 it has two speeds, and seems to have four after 120 cycles."""
 
 
 @cache
-def driven(beta: float, start: tuple[float, float] = (0.1, 0.0)) -> rk.Response:
+def driven(beta: float) -> rk.Response:
     """2-13, put right, under beta cos(omega t) for `SETTLING` and `KEPT` cycles."""
-    ground = rk.GroundMotion.harmonic(
-        SQUAT.alpha * beta,
-        period=PERIOD,
-        phase=math.pi / 2,
-        duration=(SETTLING + KEPT) * PERIOD,
-    )
     return rk.simulate(
-        SQUAT,
-        ground,
-        impact=rk.VelocityRatio(SPEED_RATIO),
-        initial={"x": start[0], "x_dot": start[1]},
-        options=rk.SolverOptions(rtol=1e-9, atol=1e-11, output_step=PERIOD / 100),
-    )
+        SQUAT, shaking(beta, SETTLING + KEPT), impact=rk.VelocityRatio(SPEED_RATIO),
+        initial={"x": 0.1}, options=rk.SolverOptions(rtol=1e-9, atol=1e-11),
+    )  # fmt: skip
 
 
 def upright_speeds(run: rk.Response) -> np.ndarray:
@@ -166,12 +153,8 @@ START = 2.0
 
 def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> dynamics.StroboscopicMap:
     """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
-    ground = rk.GroundMotion.harmonic(
-        SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
-    )
-    return dynamics.StroboscopicMap(
-        SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True
-    )
+    law = rk.VelocityRatio(speed_ratio)
+    return dynamics.StroboscopicMap(SQUAT, shaking(beta, 2), PERIOD, law, mirrored=True)
 
 
 @cache
@@ -228,41 +211,38 @@ def draw_branch(ax: Axes, branch: dynamics.OrbitBranch, states: np.ndarray) -> N
     ax.plot(branch.values, np.where(until[:, None], states, np.nan), **STABLE)
 
 
-@thesis_panels(Source.IN_KIND, 8.6, 3.2)
-def figure_2_11(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 8.6, 3.2, columns=3, sharey=True)
+def figure_2_11(*axes: Axes) -> None:
     """Steady orbits of a block under harmonic shaking: symmetric, asymmetric, of two cycles.
 
-    The values of the thesis are not stated. Drawn is 2-13, put right, with alpha = atan(0.5),
-    omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15: the
-    orbit that lasts (full), and those that it has left, which are unstable (dashed).
+    In kind: the values of the thesis are not stated. Drawn is 2-13, put right, with
+    alpha = atan(0.5), omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2,
+    2.8 and 3.15: the orbit that lasts (full), and those that it has left, which are unstable
+    (dashed).
     """
-    for i, (ax, beta, title) in enumerate(zip(
-        figure.subplots(1, 3, sharey=True), (2.0, 2.8, 3.15),
-        ("symmetric", "asymmetric", "two cycles"), strict=True,
-    )):  # fmt: skip
+    titles = ("symmetric", "asymmetric", "two cycles")
+    for i, (ax, beta, title) in enumerate(zip(axes, (2.0, 2.8, 3.15), titles, strict=True)):
         orbits = [branch.at(beta) for branch in branches(doublings=1)[: i + 1]]
         for orbit in orbits:
             _, states = orbit.trajectory()
             ax.plot(*states.T, **(STABLE if orbit.stable else UNSTABLE))
         bare_portrait(ax, 1.1 * float(max(orbit.size[0] for orbit in orbits)))
         ax.set_title(rf"{title}, $\beta$ = {beta:g}", fontsize=9)
-    for ax in figure.axes[1:]:
-        ax.set_ylabel("")
+        ax.label_outer()
 
 
-@thesis_axes(Source.COMPUTED, 6.6, 4.4)
+@dr.thesis_axes(dr.Source.COMPUTED, 6.6, 4.4)
 def figure_2_12(ax: Axes) -> None:
     """Period doubling under harmonic shaking: speeds when upright against the amplitude.
 
     All is given: alpha = atan(0.5), r = 0.5, omega = 2 pi/3, beta from 3 to 3.26. r is a ratio of
-    speeds, and 2-13 is put right. Each beta starts from x = 0.1 and settles in 120 cycles; the
+    speeds, and 2-13 is put right. Each beta starts from x = 0.1 and settles in 400 cycles; the
     speeds of the next 24 are dots. Each start finds one of two mirrored motions, which are drawn
     as the one whose faster passage is to the right.
 
     Lines are periodic motions, found by Newton's method and followed as beta changes: full where
     they last, dashed where they are unstable, the symmetric one and those of 1, 2, 4 and 8 cycles.
-    Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
-    follows from the last two and Feigenbaum's constant.
+    Where one leaves another a multiplier is -1 (dotted).
     """
     for beta in AMPLITUDES:
         draw_settled(ax, float(beta))
@@ -270,11 +250,10 @@ def figure_2_12(ax: Axes) -> None:
         speeds = branch.at_impacts("x_dot")
         turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
         draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
-    for one in cascade().bifurcations[1:]:
-        ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
-    ax.set(
-        xlabel=r"amplitude $\beta$ [-]", ylabel=r"rate when upright $\dot x$ [-]", xlim=(3.0, 3.26)
-    )
+        for leaves in branch.bifurcations:
+            ax.axvline(leaves.value, color=style.INK, lw=0.5, ls=":")
+    ax.set(xlabel=r"amplitude $\beta$ [-]", xlim=(3.0, 3.26))
+    ax.set_ylabel(r"rate when upright $\dot x$ [-]")
     ax.plot([], [], ".", color=style.INK, ms=4, label="settled")
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
@@ -301,16 +280,12 @@ def draw_rotations(
     ax: Axes, runs: list[tuple[str, rk.Response]], reach: float, until: float
 ) -> None:
     for (label, run), color in zip(runs, style.LINES, strict=False):
-        ratio = run["theta"] / run.structure.alpha  # type: ignore[attr-defined]
         fell = run.outcome == "overturned"
-        ax.plot(run.t, ratio, color=color, ls="--" if fell else "-",
-                label=f"{label}{', overturns' if fell else ''}")  # fmt: skip
-    ax.set(
-        xlim=(0, until),
-        ylim=(-reach, reach),
-        xlabel="time [s]",
-        ylabel=r"rotation $\theta/\alpha$ [-]",
-    )
+        alpha = run.structure.alpha  # type: ignore[attr-defined]
+        label = f"{label}, overturns" if fell else label
+        ax.plot(run.t, run["theta"] / alpha, "--" if fell else "-", color=color, label=label)
+    ax.set(xlim=(0, until), ylim=(-reach, reach), xlabel=dr.TIME)
+    ax.set_ylabel(r"rotation $\theta/\alpha$ [-]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
@@ -358,22 +333,27 @@ def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: 
     fates = [*boundaries["below"].values, boundaries["above"].values[-1]]
     edges = [first, *at, last]
     for kind, low, high in zip(fates, edges[:-1], edges[1:], strict=True):
-        ax.axvspan(low, high, color="white" if math.isinf(kind) else FATES[int(kind)], lw=0)
+        ax.axvspan(low, high, color=STANDS if math.isinf(kind) else FATES[int(kind)], lw=0)
+        middle = (low + high) / 2
         if high - low > 0.1 * (last - first):
-            ax.text((low + high) / 2, 0.5, fate(kind), ha="center", va="center", fontsize=8)
+            ax.text(middle, 0.5, fate(kind), ha="center", va="center", fontsize=8)
+        else:
+            line = {"arrowstyle": "-", **dr.THIN}
+            ax.annotate(fate(kind), (middle, 1.0), (0, 15), textcoords="offset points",
+                        ha="center", fontsize=8, arrowprops=line)  # fmt: skip
     for i, value in enumerate(at):
         aside = i + 1 < len(at) and at[i + 1] - value < 0.1 * (last - first)
         ax.annotate(
             f"{value:.6f}", (value, 1.0), (-2 if aside else 2, 2), textcoords="offset points",
             ha="right" if aside else "left", fontsize=8,
         )  # fmt: skip
-        ax.axvline(value, color=style.INK, lw=0.8)
+        ax.axvline(value, **dr.THIN)
     ax.set(xlim=(first, last), ylim=(0, 1), yticks=[])
     ax.grid(visible=False)
 
 
-FATES = ("#c98a72", "#f2cdbb")
-"""Colours of overturning without an impact, and after one."""
+STANDS, FATES = "#d5eadb", ("#c98a72", "#f2cdbb")
+"""Colours of blocks that stand, of overturning without an impact, and after one."""
 
 
 def fates_of_2_13() -> xr.Dataset:
@@ -381,18 +361,18 @@ def fates_of_2_13() -> xr.Dataset:
     return changes_of_fate("amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954)
 
 
-@thesis_panels(Source.COMPUTED, 7.2, 4.4)
-def figure_2_13(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.2, 4.4, 2, height_ratios=(5, 1))
+def figure_2_13(above: Axes, below: Axes) -> None:
     """A block under one sine that grows: 0.172 g overturns it, 0.454 g does not.
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
     these as its half-width and half-height: with half of them 0.454 g overturns it, too. The
     other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g. Below stands at
-    which peaks the fate changes, as it was found between 5001 pulses from 0.1 to 0.6 g.
+    which peaks the fate changes, as it was found between 5001 pulses from 0.1 to 0.6 g: the range
+    that holds 0.454 g, in which the block stands above weaker pulses that overturn it, is narrow.
     """
     peaks = (0.14, 0.172, 0.3, 0.454, 0.5)
     runs = {peak: pulsed(8.0, peak, 2.192, 0.954) for peak in peaks}
-    above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
     draw_fates(below, fates_of_2_13(), "amplitude", 0.1, 0.6)
     below.set_xlabel("peak of the pulse [g]")
@@ -402,16 +382,15 @@ RATIOS_OF_2_14 = (3.8, 3.82, 4.26, 4.28)
 """Aspect ratios H/B of the blocks of Figure 2-14."""
 
 
-@thesis_panels(Source.COMPUTED, 7.2, 4.4)
-def figure_2_14(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 4.4, 2, height_ratios=(5, 1))
+def figure_2_14(above: Axes, below: Axes) -> None:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
-    The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
-    as in Figure 2-13. Below stands at which aspect ratio the fate changes, as it was found between
-    1501 blocks from 3.5 to 5.
+    The sine has 0.3 g and 2 s, r is by 2-6. In kind: the width is not stated; the half-width is
+    1 m here, as in Figure 2-13. Below stands at which aspect ratio the fate changes, as it was
+    found between 1501 blocks from 3.5 to 5.
     """
     runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in RATIOS_OF_2_14}
-    above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
     changes = changes_of_fate("slenderness", 3.5, 5.0, 1501, amplitude=0.3, period=2.0, ratio=None)
     draw_fates(below, changes, "slenderness", 3.5, 5.0)

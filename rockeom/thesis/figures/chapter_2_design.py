@@ -1,14 +1,11 @@
 """Figures of 2.7, controlled rocking: hysteresis and its equivalent damping."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from rockeom.analysis import design, formulas
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 
 LOADING, UNLOADING = style.LINES[0], style.LINES[1]
 HARDENING, FLAG_HEIGHT, BILINEAR_HARDENING = 0.05, 0.35, 0.2
@@ -37,25 +34,26 @@ def draw_way(ax: Axes, u: np.ndarray, f: np.ndarray, color: str, label: str = ""
     )
 
 
-def axes_through_zero(ax: Axes) -> None:
+def axes_through_zero(ax: Axes, title: str, xlabel: str = "displacement $u/u_y$ [-]") -> None:
     ax.axhline(0, color=style.INK, lw=0.6, zorder=1)
     ax.axvline(0, color=style.INK, lw=0.6, zorder=1)
+    ax.set_title(title, fontsize=9)
+    ax.set_xlabel(xlabel)
 
 
 # --- the three kinds of systems
 
 
-@thesis_panels(Source.COMPUTED, 8.6, 3.2)
-def figure_2_19(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 8.6, 3.2, columns=3, sharey=True)
+def figure_2_19(*axes: Axes) -> None:
     """Idealised force and displacement: fixed base, free rocking, controlled rocking.
 
-    The figure gives no numbers. Here the ductile structure is bilinear, the block is rigid with
+    In kind: the figure gives no numbers. The ductile structure is bilinear, the block is rigid with
     the force F_y at uplift that falls to zero at its balance, ten times the yield displacement
     away, and the controlled one has the flag of Figure 2-21: k_p/k_i = 0.2 of the bilinear one and
     0.05 of the flag, beta_FS = 0.35. Blue is loading, orange unloading; the block's is the same
     line, drawn a little below.
     """
-    axes = figure.subplots(1, 3, sharey=True)
     mu = 5.0
     for ax, name in ((axes[0], "bilinear"), (axes[2], "flag")):
         rule = RULES[name]
@@ -70,37 +68,32 @@ def figure_2_19(figure: Figure) -> None:
     draw_way(axes[1], np.array([0.0, *reach]), np.array([0.0, *force]), LOADING)
     draw_way(axes[1], reach[::-1], force[::-1] - 0.03, UNLOADING)
     draw_way(axes[1], np.array([0.0, 0.0, -5.0]), np.array([1.0, -1.0, -0.5]), UNLOADING)
-    for ax, title in zip(
-        axes, ("fixed base, ductile", "free rocking", "controlled rocking"), strict=True
-    ):
-        axes_through_zero(ax)
-        ax.set_title(title, fontsize=9)
-        ax.set_xlabel("displacement $u/u_y$ [-]")
+    titles = ("fixed base, ductile", "free rocking", "controlled rocking")
+    for ax, title in zip(axes, titles, strict=True):
+        axes_through_zero(ax, title)
     axes[0].set_ylabel("force $F/F_y$ [-]")
 
 
 # --- the flag and its dissipaters
 
 
-@thesis_panels(Source.COMPUTED, 8.6, 3.2)
-def figure_2_20(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 8.6, 3.2, columns=3, sharey=True)
+def figure_2_20(*axes: Axes) -> None:
     """Moment and rotation with added dissipaters: elastic and plastic, friction, viscous.
 
-    The figure gives no numbers. The moment of the axial load and the added element is bilinear
-    elastic, with k_p/k_i = 0.05 of a joint that is ten times stiffer before it opens than the
-    dissipater; it is M_AE + M_N = lambda/(1 + lambda) at the design rotation, the dissipater
-    M_ED = 1/(1 + lambda), by 2-30. The rotation is harmonic, with the design rotation as its
-    amplitude.
+    In kind: the figure gives no numbers. The moment of the axial load and the added element is
+    bilinear elastic, with k_p/k_i = 0.05 of a joint that is ten times stiffer before it opens than
+    the dissipater; it is M_AE + M_N = lambda/(1 + lambda) at the design rotation, the dissipater
+    M_ED = 1/(1 + lambda), by 2-30; lambda is 0.75, 1.25 and 3. The rotation is harmonic, with the
+    design rotation as its amplitude.
     """
-    for ax, kind in zip(figure.subplots(1, 3, sharey=True), DISSIPATERS, strict=True):
+    for ax, kind in zip(axes, DISSIPATERS, strict=True):
         for ratio, color in zip(LAMBDAS, style.LINES, strict=False):
             loop = loop_with_dissipaters(kind, ratio)
             ax.plot(*closed(loop), color=color, label=rf"$\lambda$ = {ratio:g}")
-        axes_through_zero(ax)
-        ax.set_title(kind, fontsize=9)
-        ax.set_xlabel(r"rotation $\theta/\theta_d$ [-]")
-    figure.axes[0].set_ylabel("moment $M/M_d$ [-]")
-    figure.axes[0].legend(loc="upper left", fontsize=7.5)
+        axes_through_zero(ax, kind, r"rotation $\theta/\theta_d$ [-]")
+    axes[0].set_ylabel("moment $M/M_d$ [-]")
+    axes[0].legend(loc="upper left", fontsize=7.5)
 
 
 DISSIPATERS = ("elastic and plastic", "friction", "viscous")
@@ -154,61 +147,53 @@ def dissipaters(
 # --- hysteresis and equivalent damping
 
 
-@thesis_panels(Source.COMPUTED, 8.6, 3.4)
-def figure_2_21(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 8.6, 3.4, columns=3, sharey=True)
+def figure_2_21(bilinear: Axes, takeda: Axes, flag: Axes) -> None:
     """Three rules of hysteresis, and what 2-32 makes of their loops.
 
-    The figure gives no numbers: here the ductility is 4, k_p/k_i = 0.2 for the bilinear rule and
-    0.05 for the others, beta_FS = 0.35, and alpha_T = 0.5, which is unsourced.
+    In kind: the figure gives no numbers. The ductility is 4, k_p/k_i = 0.2 for the bilinear rule
+    and 0.05 for the others, beta_FS = 0.35, and alpha_T = 0.5, which is unsourced.
     """
     mu = 4.0
-    for ax, (name, rule) in zip(figure.subplots(1, 3, sharey=True), RULES.items(), strict=True):
+    for ax, (name, rule) in zip((bilinear, takeda, flag), RULES.items(), strict=True):
         loop = rule.simulated_loop(mu)
-        u, f = (np.append(x, x[0]) for x in loop)
-        ax.fill(u, f, color=style.LINES[5], alpha=0.25, lw=0)
-        ax.plot(u, f, color=style.LINES[0])
+        ax.fill(*closed(loop), color=style.LINES[5], alpha=0.25, lw=0)
+        ax.plot(*closed(loop), color=style.LINES[0])
         ax.plot([0, 1], [0, 1], ":", color=style.INK, lw=1.0)
-        axes_through_zero(ax)
-        ax.set_title(rf"{name}: $\xi_{{hyst}}$ = {100 * loop.damping:.1f} %", fontsize=9)
-        ax.set_xlabel("displacement $u/u_y$ [-]")
-    bilinear, takeda, flag = figure.axes
+        axes_through_zero(ax, rf"{name}: $\xi_{{hyst}}$ = {100 * loop.damping:.1f} %")
     bilinear.set_ylabel("force $F/F_y$ [-]")
-    texts: dict[str, Any] = {"fontsize": 8, "textcoords": "offset points"}
-    bilinear.annotate("$k_i$", (0.5, 0.5), xytext=(4, -8), **texts)
-    bilinear.annotate(
-        "$k_p$", (2.6, float(RULES["bilinear"].backbone(2.6))), xytext=(-8, 6), **texts
-    )
-    bilinear.annotate(r"$\mu u_y$", (4.0, 0.0), xytext=(-6, 5), **texts)
-    takeda.annotate(r"$k_i\,\mu^{-\alpha_T}$", (2.8, 0.55), xytext=(3, -8), **texts)
-    height = float(RULES["flag"].backbone(3.0))
-    flag.annotate(
-        "", (3.0, height - FLAG_HEIGHT), (3.0, height), arrowprops={"arrowstyle": "<->", "lw": 0.8}
-    )
-    flag.annotate(r"$\beta_{FS} F_y$", (3.0, height - FLAG_HEIGHT), xytext=(-12, -13), **texts)
+    hardened, top = float(RULES["bilinear"].backbone(2.6)), float(RULES["flag"].backbone(3.0))
+    low = (3.0, top - FLAG_HEIGHT)
+    flag.annotate("", low, (3.0, top), arrowprops={"arrowstyle": "<->", "lw": 0.8})
+    for ax, words, at, offset in (
+        (bilinear, "$k_i$", (0.5, 0.5), (4, -8)),
+        (bilinear, "$k_p$", (2.6, hardened), (-8, 6)),
+        (bilinear, r"$\mu u_y$", (4.0, 0.0), (-6, 5)),
+        (takeda, r"$k_i\,\mu^{-\alpha_T}$", (2.8, 0.55), (3, -8)),
+        (flag, r"$\beta_{FS} F_y$", low, (-12, -13)),
+    ):
+        ax.annotate(words, at, offset, textcoords="offset points", fontsize=8)
 
 
-@thesis_axes(Source.COMPUTED, 5.8, 3.6)
+@dr.thesis_axes(dr.Source.IN_KIND, 5.8, 3.6)
 def figure_2_22(ax: Axes) -> None:
     """Equivalent hysteretic damping against ductility: 2-32a to 2-32c.
 
-    The parameters are not stated under the figure. Here k_p/k_i = 0.2 for the bilinear rule and
-    0.05 for the flag, with beta_FS = 0.35, as in Table 2-4. alpha_T is nowhere stated: Takeda's
-    band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
+    In kind: the parameters are not stated under the figure. k_p/k_i = 0.2 for the bilinear rule and
+    0.05 for the flag, with beta_FS = 0.35, are those of Table 2-4. alpha_T is nowhere stated:
+    Takeda's band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
     """
     mu = np.linspace(1.0, 8.0, 281)
     for name, color in (("bilinear", style.LINES[0]), ("flag", style.LINES[2])):
         ax.plot(mu, 100 * RULES[name].damping(mu), color=color, label=name)
-    edges = [design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu) for exponent in EXPONENTS]
-    ax.fill_between(
-        mu, 100 * edges[0], 100 * edges[1], color=style.LINES[1], alpha=0.5, lw=0,
-        label=rf"Takeda, $\alpha_T$ = {EXPONENTS[0]:g} to {EXPONENTS[1]:g}",
-    )  # fmt: skip
-    ax.set(
-        xlabel=r"ductility $\mu$ [-]",
-        ylabel=r"damping ratio $\xi_{hyst}$ [%]",
-        xlim=(1, 8),
-        ylim=(0, 30),
+    low, high = (
+        100 * design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu)
+        for exponent in reversed(EXPONENTS)
     )
+    label = rf"Takeda, $\alpha_T$ = {EXPONENTS[0]:g} to {EXPONENTS[1]:g}"
+    ax.fill_between(mu, low, high, color=style.LINES[1], alpha=0.5, lw=0, label=label)
+    ax.set(xlabel=r"ductility $\mu$ [-]", xlim=(1, 8), ylim=(0, 30))
+    ax.set_ylabel(r"damping ratio $\xi_{hyst}$ [%]")
     ax.legend(loc="upper left", ncols=2)
 
 
@@ -219,18 +204,17 @@ def period_terms() -> tuple[np.ndarray, dict[str, np.ndarray]]:
     return period, {name: 1 + (period + f.c) ** -f.d for name, f in factors}
 
 
-@thesis_axes(Source.PRINTED, 6.4, 3.6)
+@dr.thesis_axes(dr.Source.PRINTED, 6.4, 3.6)
 def figure_2_23(ax: Axes) -> None:
-    """How the damping of 2-33 depends on the period: its term 1 + (T_e + c)**-d, Table 2-4."""
+    """How the damping of 2-33 depends on the period: its term 1 + (T_e + c)**-d, Table 2-4.
+
+    Dotted is where the period adds 10 % to the damping.
+    """
     period, terms = period_terms()
-    lines = ("-", "--", "-.", ":", "-", "--")
-    for (name, term), color, line in zip(terms.items(), style.LINES, lines, strict=True):
-        ax.plot(period, term, line, color=color, label=name.replace("_", " "))
+    curves = [(name.replace("_", " "), period, term) for name, term in terms.items()]
+    dr.draw_curves(ax, curves, ("-", "--", "-.", ":", "-", "--"))
     ax.axhline(1.1, color=style.INK, lw=0.6, ls=":")
-    ax.set(
-        xlabel="effective period $T_e$ [s]",
-        ylabel=r"$1 + (T_e + c)^{-d}$ [-]",
-        xlim=(0, 4),
-        ylim=(0.9, 3.0),
-    )
+    ax.annotate("10 %", (4.0, 1.1), (2, 0), textcoords="offset points", va="center", fontsize=8)
+    ax.set(xlabel="effective period $T_e$ [s]", xlim=(0, 4), ylim=(0.9, 3.0))
+    ax.set_ylabel(r"$1 + (T_e + c)^{-d}$ [-]")
     ax.legend(loc="upper right", ncols=2)

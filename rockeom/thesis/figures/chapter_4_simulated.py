@@ -5,7 +5,7 @@ The wall starts at rest at the first peak of Table A-1.
 
 from dataclasses import replace
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,17 +14,28 @@ from matplotlib.figure import Figure
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.plots import free_body as fb, style
+from rockeom.plots import style
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, MEASURED
-from rockeom.thesis.figures.chapter_4_wall import draw_sides, legible, symmetric, tilted_wall
-from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
-from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go, measured_peaks
+from rockeom.thesis.figures import drawn as dr
+from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, legible, symmetric
+from rockeom.thesis.free_vibration_table import (
+    STIFFER,
+    WALL,
+    ModelPeaks,
+    from_first_peak,
+    measured_peaks,
+    released_peaks,
+)
 
+CONSTANT = rk.EnergyRatio(0.88)
+BY_4_31 = rk.EnergyRatioAtSpeed.equation_4_31()
+BY_4_36 = rk.EnergyRatioAtSpeed.equation_4_36()
+BY_4_38 = rk.EnergyRatioAtSpeed.equation_4_38()
 FIXED = rk.SimplifiedSubstituteGravityWall.from_wall(WALL)
 """The wall of 4-32, about its corners."""
 STILL = rk.GroundMotion.none(0.5)
 """Free vibration, long enough to reach the next peak."""
+IMPACT_SPEED = r"speed at the impact $|\dot\Delta|$ [m/s]"
 CORNER = formulas.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
 """Rotation centre of 4-37, which ends at the edge."""
 
@@ -43,78 +54,70 @@ class History(NamedTuple):
 
 def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     """The free vibration from the first peak of Table A-1, whose last peak is at 1.91 s."""
-    start = float(identification.FreeVibration.table_a1().displacement[0])
-    oscillates = isinstance(structure, rk.ControlledWallOscillator)
-    initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = let_go(structure, 2.0, law, **initial)
-    if oscillates:
-        mass = structure.parameters()["effective_mass"]
+    return history_of(from_first_peak(structure, 2.0, law))
+
+
+def history_of(run: rk.Response) -> History:
+    """Motion of the point at height H of the wall, or of its oscillator, relative to the ground."""
+    if "u" in run.states:
+        mass = run.structure.parameters()["effective_mass"]
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
-    theta, rate = run["theta"], run["theta_dot"]
+    theta, rate, ground = run["theta"], run["theta_dot"], run["ground_acceleration"]
     turning = np.empty(len(run.t))
     for mode in np.unique(run.mode):
         rows = run.mode == mode
         state = {name: run[name][rows] for name in run.states}
-        turning[rows] = structure.accelerations(state, mode=str(mode))["theta"]
+        rates = run.structure.accelerations(state, mode=str(mode), ground_acceleration=ground[rows])
+        turning[rows] = rates["theta"]
     h, sin, cos = WALL.height, np.sin(theta), np.cos(theta)  # 4-33 to 4-35
     return History(run.t, h * sin, h * cos * rate, h * (turning * cos - rate**2 * sin))
 
 
-def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
+def draw_histories(curves: list[tuple[str, History]]) -> Figure:
     """Draw displacement, velocity and acceleration of each curve, with the points of Table A-1."""
-    measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(7.6, 5.6)
-    axes = figure.subplots(3, 1, sharex=True)
-    for label, history, line in curves:
-        for ax, y, unit in zip(axes, history[1:], (MM, 1.0, 1.0), strict=True):
-            ax.plot(history.time, y * unit, label=label, **line)
-    columns = (measured.displacement * MM, measured.velocity, measured.acceleration)
-    for ax, y in zip(axes, columns, strict=True):
-        ax.plot(measured.time[chosen], y[chosen], ms=3.2, label="Table A-1", **MEASURED)
-    names = (r"$\Delta$ [mm]", r"$\dot\Delta$ [m/s]", r"$\ddot\Delta$ [m/s$^2$]")
-    for ax, name in zip(axes, names, strict=True):
+    measured, clear = identification.FreeVibration.table_a1(), legible()
+    figure, axes = dr.panels(7.6, 5.6, 3, sharex=True)
+    for ax, name, quantity, unit in (
+        (axes[0], r"$\Delta$ [mm]", "displacement", dr.MM),
+        (axes[1], r"$\dot\Delta$ [m/s]", "velocity", 1.0),
+        (axes[2], r"$\ddot\Delta$ [m/s$^2$]", "acceleration", 1.0),
+    ):
+        dr.draw_curves(ax, [(label, h.time, getattr(h, quantity) * unit) for label, h in curves])
+        points = getattr(measured, quantity)[clear] * unit
+        ax.plot(measured.time[clear], points, "o", ms=3.2, zorder=5, label="Table A-1", **dr.OPEN)
         ax.set_ylabel(name)
-    axes[2].set(xlabel="time [s]", xlim=(0, 2))
+    axes[2].set(xlabel=dr.TIME, xlim=(0, 2))
     style.legend_above(axes[0])
-    figure.align_ylabels(axes)
     return figure
 
 
 def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
-    """Draw the displacement of each curve against time, and below its difference from the first."""
-    measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(7.6, 4.6)
-    ax, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.0, 1.0))
-    reference = curves[0][1]
-    for (label, history), color, line in zip(
-        curves, (style.LINES[0], *style.LINES[1:4]), ("-", "--", "-.", ":"), strict=False
-    ):
-        kind: dict[str, Any] = {"ls": line, "color": color}
-        ax.plot(history.time, history.displacement * MM, label=label, **kind)
-        if history is not reference:
-            off = history.displacement - np.interp(
-                history.time, reference.time, reference.displacement
-            )
-            below.plot(history.time, off * MM, **kind)
-    time, displacement = measured.time[chosen], measured.displacement[chosen] * MM
-    ax.plot(time, displacement, ms=3.0, label="Table A-1", **MEASURED)
-    below.axhline(0.0, color=style.LINES[0], lw=0.8)
-    below.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
-    below.set_ylabel(f"less {curves[0][0]} [mm]")
-    ax.set_xlim(0, 2)
+    """Draw the displacement of each curve in time, and below it its difference from the first."""
+    measured, clear = identification.FreeVibration.table_a1(), legible()
+    figure, (ax, below) = dr.panels(7.6, 4.6, 2, sharex=True, height_ratios=(2.0, 1.0))
+    dr.draw_curves(ax, [(label, h.time, h.displacement * dr.MM) for label, h in curves])
+    off = differences(curves)
+    dr.draw_curves(below, [("", h.time, x) for (_, h), x in zip(curves, off, strict=True)])
+    points = measured.displacement[clear] * dr.MM
+    ax.plot(measured.time[clear], points, "o", ms=3.0, zorder=5, label="Table A-1", **dr.OPEN)
+    below.set(xlabel=dr.TIME, ylabel=f"less {curves[0][0]} [mm]", xlim=(0, 2))
+    ax.set_ylabel(dr.DELTA)
     style.legend_above(ax)
-    figure.align_ylabels((ax, below))
     return figure
+
+
+def differences(curves: list[tuple[str, History]]) -> list[np.ndarray]:
+    """Displacement of each curve less that of the first [mm]."""
+    first = curves[0][1]
+    return [
+        (h.displacement - np.interp(h.time, first.time, first.displacement)) * dr.MM
+        for _, h in curves
+    ]
 
 
 def moved(curves: list[tuple[str, History]]) -> list[float]:
     """Largest difference of each further curve from the first [mm]."""
-    first = curves[0][1]
-    return [
-        float(np.abs(np.interp(first.time, h.time, h.displacement) - first.displacement).max() * MM)
-        for _, h in curves[1:]
-    ]
+    return [float(np.abs(off).max()) for off in differences(curves)[1:]]
 
 
 # --- the equivalent oscillator
@@ -123,6 +126,14 @@ def moved(curves: list[tuple[str, History]]) -> list[float]:
 def oscillator(r: float) -> rk.ControlledWallOscillator:
     """The oscillator with the whole mass, and with F_k by the energies."""
     return rk.ControlledWallOscillator.from_wall(WALL, r, effective_mass=WALL.mass)
+
+
+def by_speed(law: rk.EnergyRatioAtSpeed, of_passage: bool = False) -> History:
+    """Free vibration of the oscillator with F_k raised by 6 %, r of the instant or of a passage."""
+    lighter = WALL.mass / STIFFER
+    return released(
+        rk.ControlledWallOscillator.from_wall(WALL, law, held=of_passage, effective_mass=lighter)
+    )
 
 
 def fitted_ratio(first: int, last: int) -> identification.Fit:
@@ -137,19 +148,20 @@ def fitted_ratio(first: int, last: int) -> identification.Fit:
     )
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_4_36() -> Figure:
     """Free vibration of the equivalent oscillator with one r for all passages, and Table A-1.
 
-    The thesis states only the first of its r, that of 2-6; here they are 0.835 by 2-6 about the
-    corner, 0.88 and 0.93. The effective mass is the whole mass, n the epsilon of 4-7, and F_k is
+    In kind: the thesis states only the first of its r, that of 2-6, 0.835 about the corner; 0.88
+    and 0.93 are a choice. The effective mass is the whole mass, n the epsilon of 4-7, and F_k is
     not raised.
     """
-    curves = [(f"r = {r:.3f}", released(oscillator(r))) for r in (HOUSNER, 0.88, 0.93)]
-    return draw_displacements(curves)
+    return draw_displacements(
+        [(f"r = {r:.3f}", released(oscillator(r))) for r in (HOUSNER, 0.88, 0.93)]
+    )
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_4_37() -> Figure:
     """Free vibration of the equivalent oscillator with r of 4-31, and Table A-1.
 
@@ -159,41 +171,25 @@ def figure_4_37() -> Figure:
     that of the speed with which the wall would come upright without losses. The second
     and third passages then exceed the limit of 0.78 m/s and lose 5 % instead of 15 %.
     """
-    law = rk.EnergyRatioAtSpeed.equation_4_31()
-    curves = []
-    for label, of_passage, line in (
-        ("r of the instantaneous speed", False, {"color": style.LINES[0]}),
-        ("r of the whole passage", True, {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
-    ):
-        wall = rk.ControlledWallOscillator.from_wall(
-            WALL, law, held=of_passage, effective_mass=WALL.mass / STIFFER
-        )
-        curves.append((label, released(wall), line))
-    return draw_histories(curves)
+    return draw_histories([
+        ("r of the instantaneous speed", by_speed(BY_4_31)),
+        ("r of the whole passage", by_speed(BY_4_31, of_passage=True)),
+    ])  # fmt: skip
 
 
 @cache
 def with_deviations_of_4_31() -> list[tuple[str, History]]:
     """The free vibration by 4-31, and with r larger by 0.02 in one of its three faster bands."""
-
-    def of(law: rk.EnergyRatioAtSpeed) -> History:
-        return released(
-            rk.ControlledWallOscillator.from_wall(
-                WALL, law, held=False, effective_mass=WALL.mass / STIFFER
-            )
-        )
-
-    law = rk.EnergyRatioAtSpeed.equation_4_31()
-    return [("4-31", of(law)), *((label, of(one)) for label, one in bands_raised(law))]
+    return [(label, by_speed(law)) for label, law in (("4-31", BY_4_31), *bands_raised(BY_4_31))]
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_4_38() -> Figure:
     """Effect of small changes of r in 4-31 on the free vibration of the equivalent oscillator.
 
-    The thesis does not state its deviations; here r is 0.02 larger in one of the three faster
-    bands of speed at a time. The oscillator is that of Figure 4-37, r that of the instantaneous
-    speed. The differences are below.
+    In kind: the thesis does not state its deviations; here r is 0.02 larger in one of the three
+    faster bands of speed at a time. The oscillator is that of Figure 4-37, r that of the
+    instantaneous speed. The differences are below.
     """
     return draw_displacements(with_deviations_of_4_31())
 
@@ -201,17 +197,16 @@ def figure_4_38() -> Figure:
 # --- substitute gravity about fixed corners
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_4_39() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with one r.
 
-    The thesis states only the first of its r, that of 2-6; here they are 0.835, and 0.88 and 0.91
-    of the text.
+    In kind: the thesis states only the first of its r, that of 2-6, 0.835; that 0.88 and 0.91 of
+    the text are the others is a guess.
     """
-    curves = [
-        (f"r = {r:.3f}", released(FIXED, rk.EnergyRatio(r))) for r in (HOUSNER, 0.88, 0.91)
-    ]  # fmt: skip
-    return draw_displacements(curves)
+    return draw_displacements(
+        [(f"r = {r:.3f}", released(FIXED, rk.EnergyRatio(r))) for r in (HOUSNER, 0.88, 0.91)]
+    )
 
 
 @cache
@@ -234,8 +229,8 @@ def ratios_by_release() -> tuple[np.ndarray, np.ndarray]:
     return r, WALL.height * np.array(speed)
 
 
-@thesis_panels(Source.COMPUTED, 7.6, 3.4)
-def figure_4_40(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.6, 3.4, columns=2, sharey=True)
+def figure_4_40(left: Axes, right: Axes) -> None:
     """r with which the substitute-gravity wall comes from each measured peak to the next.
 
     About fixed corners, by release at each of the first twelve peaks of Table A-1; against the
@@ -243,16 +238,11 @@ def figure_4_40(figure: Figure) -> None:
     """
     r, speed = ratios_by_release()
     peak = measured_peaks()[1][:-1]
-    by_speed, by_peak = figure.subplots(1, 2, sharey=True)
-    for side, mark in ((1, ">"), (-1, "<")):
-        rows = np.sign(peak) == side
-        by_speed.plot(speed[rows], r[rows], mark, ms=4, **OPEN)
-    draw_sides(by_peak, peak, r)
-    by_speed.set_xlabel(r"speed at the impact $|\dot\Delta|$ [m/s]")
-    by_peak.set_xlabel(r"peak before $|\Delta_0|$ [mm]")
-    by_speed.set(ylabel="energy ratio $r$ [-]", ylim=(0.6, 1.0), xlim=(0, None))
-    by_peak.set_xlim(0, None)
-    style.legend_above(by_peak)
+    dr.draw_sides(left, peak, r, speed)
+    dr.draw_sides(right, peak, r)
+    left.set(xlabel=IMPACT_SPEED, ylabel=dr.RATIO, ylim=(0.6, 1.0), xlim=(0, None))
+    right.set(xlabel=r"peak before $|\Delta_0|$ [mm]", xlim=(0, None))
+    right.legend(loc="lower right")
 
 
 def upright(passages: int) -> identification.Fit:
@@ -269,7 +259,7 @@ def upright(passages: int) -> identification.Fit:
     return identification.fit(off, np.zeros(passages), {"r": 0.89, "x": 5e-4})
 
 
-@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+@dr.thesis_axes(dr.Source.COMPUTED, 6.0, 3.6)
 def figure_4_41(ax: Axes) -> None:
     """Moving averages of two successive r of Figure 4-40 against their speed, and 4-31.
 
@@ -278,132 +268,89 @@ def figure_4_41(ax: Axes) -> None:
     """
     r, speed = ratios_by_release()
     mean, at = (r[1:] + r[:-1]) / 2, (speed[1:] + speed[:-1]) / 2
-    law = rk.EnergyRatioAtSpeed.equation_4_31()
-    limits = [limit for limit, _, _ in law.pieces[:-1] if np.sum(speed < limit) >= 1]
+    limits = [limit for limit, _, _ in BY_4_31.pieces[:-1] if np.sum(speed < limit) >= 1]
     fitted = rk.EnergyRatioAtSpeed.from_data(speed, r, limits=limits, slopes=False)
     v = np.linspace(0.01, 0.9, 800)
-    ax.plot(v, [law.at(x) for x in v], color=style.LINES[0], label="4-31")
+    ax.plot(v, [BY_4_31.at(x) for x in v], color=style.LINES[0], label="4-31")
     ax.plot(v, [fitted.at(x) for x in v], "--", color=style.LINES[1], label="fitted in its bands")
     ax.plot(speed, r, ".", color="0.6", ms=5, label="by release")
-    ax.plot(at, mean, "o", color=style.INK, mfc="white", ms=4.5, label="mean of two")
-    ax.set(
-        xlabel=r"speed at the impact $|\dot\Delta|$ [m/s]",
-        ylabel="energy ratio $r$ [-]",
-        xlim=(0, 0.9),
-        ylim=(0.7, 1.0),
-    )
+    ax.plot(at, mean, "o", ms=4.5, label="mean of two", **dr.OPEN)
+    ax.set(xlabel=IMPACT_SPEED, ylabel=dr.RATIO, xlim=(0, 0.9), ylim=(0.7, 1.0))
     style.legend_above(ax)
 
 
-class Miss(NamedTuple):
-    """Root mean square errors of the first thirteen peaks [mm] and of their times [ms]."""
-
-    peak: float
-    time: float
-
-    def __str__(self) -> str:
-        return f"{self.peak:.2f} mm and {self.time:.1f} ms"
-
-
 @cache
-def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
-    """Free vibration of the wall about fixed corners, as in `thesis.free_vibration_table`."""
-    time, peak = measured_peaks()
-    run = let_go(FIXED, 1.6, law, theta=float(WALL.rotation(peak[0])))
-    simulated = identification.swings(run, "theta", len(peak))
-    off = WALL.height * np.sin(simulated.peak) - peak, simulated.peak_time - time
-    return Miss(*(float(np.sqrt(np.mean(x**2)) * MM) for x in off))
+def miss(law: ImpactLaw) -> ModelPeaks:
+    """First thirteen peaks of the wall about fixed corners, compared with Table A-1."""
+    return released_peaks(FIXED, law)
 
 
-CONSTANT = rk.EnergyRatio(0.88)
-BY_4_31 = rk.EnergyRatioAtSpeed.equation_4_31()
-BY_4_36 = rk.EnergyRatioAtSpeed.equation_4_36()
-
-
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_4_42() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with 4-31.
 
     With the points of Table A-1.
     """
-    return draw_law(BY_4_31, "4-31")
+    return draw_histories([("4-31", released(FIXED, BY_4_31))])
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_4_43() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with 4-36.
 
     With the points of Table A-1. 4-36 is as printed, with the larger r for the larger speed.
     """
-    return draw_law(BY_4_36, "4-36")
-
-
-def draw_law(law: rk.EnergyRatioAtSpeed, name: str) -> Figure:
-    """Displacement, velocity and acceleration of the wall about fixed corners under a law."""
-    return draw_histories([(name, released(FIXED, law), {"color": style.LINES[0]})])
+    return draw_histories([("4-36", released(FIXED, BY_4_36))])
 
 
 # --- the substitute-gravity wall with a moving rotation centre
 
 
-@thesis_panels(Source.COMPUTED, 7.6, 3.8)
-def figure_4_44(figure: Figure) -> None:
-    """Changes of R, alpha and b' by a rotation centre that moves, and its path: 4-37.
+@dr.thesis_axes(dr.Source.COMPUTED, 5.6, 3.6)
+def figure_4_44(ax: Axes) -> None:
+    """Place b' of a rotation centre that moves, off the centreline: 4-37.
 
     With 4-37 the centre reaches the edge of the wall, 508 mm, where 4-7, which the tendon's force
     still follows, stops 96 mm before. Both are drawn.
     """
-    wall, path = figure.subplots(1, 2, width_ratios=(1.0, 1.7))
-    theta, b = 0.12, 0.34
-    at = tilted_wall(wall, b, theta)
-    fb.line(wall, at["centre"], at["centroid"])
-    axis = at["centre"] + 2.3 * np.array([np.sin(theta), np.cos(theta)])
-    fb.line(wall, at["centre"], axis)
-    fb.angle(wall, at["centre"], at["centroid"], axis, 1.25, r"$\alpha$", label_radius=1.12)
-    fb.centroid(wall, at["centroid"])
-    wall.annotate("$R$", (at["centre"] + at["centroid"]) / 2, (-10, -8), textcoords="offset points")
-    fb.pivot(wall, at["centre"], "$O$", (11, -9))
-    fb.dimension(wall, at["foot"], at["centre"], "$b'$", shift=-0.2, offset=(-2, -8))
-    wall.set(xlim=(-1.0, 1.2), ylim=(-0.45, 2.75))
-
     d = symmetric(0.032)
-    path.set_prop_cycle(color=style.LINES)
-    path.plot(d * MM, CORNER.distance(d) * MM, label="4-37: 508 mm")
-    path.plot(d * MM, WALL.rotation_centre.distance(d) * MM, "--", label="as 4-7: 412 mm")
-    path.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="$b'$ [mm]")
-    path.legend(loc="lower right")
+    curves = ("4-37: 508 mm", CORNER), ("as 4-7: 412 mm", WALL.rotation_centre)
+    dr.draw_curves(ax, [(label, d * dr.MM, centre.distance(d) * dr.MM) for label, centre in curves])
+    ax.set(xlabel=dr.DELTA, ylabel="$b'$ [mm]")
+    ax.legend(loc="lower right")
 
 
-@thesis_panels(Source.COMPUTED, 7.6, 3.2)
-def figure_4_46(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.6, 3.2, columns=2)
+def figure_4_46(left: Axes, right: Axes) -> None:
     """Effect of 10 % of n: the half-width b' of 4-37 and the force of the tendon, 4-16.
 
     n is the epsilon of 4-7, 3.551 mm.
     """
-    left, right = figure.subplots(1, 2)
     d = symmetric(0.015)
-    for color, line, factor in ((style.LINES[1], "--", 0.9), (style.LINES[0], "-", 1.0),
-                                (style.LINES[2], "-.", 1.1)):  # fmt: skip
-        n = factor * WALL.rotation_centre.epsilon
-        wall = replace(WALL, rotation_centre=replace(WALL.rotation_centre, epsilon=n))
-        corner = replace(CORNER, epsilon=n)
-        kind = {"color": color, "ls": line, "label": f"{factor:.1f} n = {n * MM:.2f} mm"}
-        left.plot(d * MM, corner.distance(d) * MM, **kind)
-        right.plot(d * MM, wall.tendon_force(d) / 1e3, **kind)
-    for ax, name in ((left, "$b'$ [mm]"), (right, "tendon force $P$ [kN]")):
-        ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=name)
-        ax.legend(loc="lower right" if ax is left else "upper center", fontsize=7.5)
+    walls = {f: with_n(f) for f in (0.9, 1.0, 1.1)}
+    n = {f: wall.rotation_centre.epsilon for f, wall in walls.items()}
+    labels = [f"{f:.1f} n = {n[f] * dr.MM:.2f} mm" for f in walls]
+    corners = [replace(CORNER, epsilon=n[f]).distance(d) * dr.MM for f in walls]
+    forces = [wall.tendon_force(d) / 1e3 for wall in walls.values()]
+    for ax, ys, name in ((left, corners, "$b'$ [mm]"), (right, forces, "tendon force $P$ [kN]")):
+        dr.draw_curves(ax, [(label, d * dr.MM, y) for label, y in zip(labels, ys, strict=True)])
+        ax.set(xlabel=dr.DELTA, ylabel=name)
+    left.legend(loc="lower right", fontsize=7.5)
+    right.legend(loc="upper center", fontsize=7.5)
 
 
-def substitute_gravity(factor: float = 1.0) -> rk.SubstituteGravityWall:
-    """The wall of 4-37 with its n multiplied by a factor."""
-    n = factor * WALL.rotation_centre.epsilon
-    return rk.SubstituteGravityWall.from_wall(
-        replace(WALL, rotation_centre=replace(WALL.rotation_centre, epsilon=n))
-    )
+def with_n(factor: float) -> analysis.Wall:
+    """The wall with its n, the epsilon of 4-7, multiplied by a factor."""
+    centre = WALL.rotation_centre
+    return replace(WALL, rotation_centre=replace(centre, epsilon=factor * centre.epsilon))
 
 
-@thesis_figure(Source.COMPUTED)
+def substitute_gravity(law: rk.EnergyRatioAtSpeed, wall: analysis.Wall = WALL) -> History:
+    """Free vibration by 4-40 of a wall whose centre moves by 4-37."""
+    return released(rk.SubstituteGravityWall.from_wall(wall), law)
+
+
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_4_45() -> Figure:
     """Free vibration of the substitute-gravity wall with r of 4-38, and Table A-1.
 
@@ -411,28 +358,21 @@ def figure_4_45() -> Figure:
     of inertia is 12 101 kg m2 about a corner, a constant; the text does not say which it has.
     Dashed: 13 215 kg m2, which is B-9 as printed.
     """
-    law = rk.EnergyRatioAtSpeed.equation_4_38()
-    heavier = rk.SubstituteGravityWall.from_wall(replace(WALL, inertia=13215.0))
-    return draw_histories(
-        [
-            (r"$I_o$ = 12 101 kg m$^2$", released(substitute_gravity(), law),
-             {"color": style.LINES[0]}),
-            (r"$I_o$ = 13 215 kg m$^2$", released(heavier, law),
-             {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
-        ]
-    )  # fmt: skip
+    heavier = replace(WALL, inertia=13215.0)
+    return draw_histories([
+        (r"$I_o$ = 12 101 kg m$^2$", substitute_gravity(BY_4_38)),
+        (r"$I_o$ = 13 215 kg m$^2$", substitute_gravity(BY_4_38, heavier)),
+    ])  # fmt: skip
 
 
 @cache
 def with_other_n() -> list[tuple[str, History]]:
     """The free vibration by 4-38, with n as it is, and 10 % less and more."""
-    law = rk.EnergyRatioAtSpeed.equation_4_38()
-    return [
-        (f"{factor:.1f} n", released(substitute_gravity(factor), law)) for factor in (1.0, 0.9, 1.1)
-    ]
+    factors = (1.0, 0.9, 1.1)
+    return [(f"{f:.1f} n", substitute_gravity(BY_4_38, with_n(f))) for f in factors]
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_4_47() -> Figure:
     """Effect of 10 % of n on the free vibration of the substitute-gravity wall with 4-38.
 
@@ -459,16 +399,15 @@ def bands_raised(
 @cache
 def with_deviations_of_4_38() -> list[tuple[str, History]]:
     """The free vibration by 4-38, and with r larger by 0.02 in one of its three faster bands."""
-    law = rk.EnergyRatioAtSpeed.equation_4_38()
-    laws = [("4-38", law), *bands_raised(law)]
-    return [(label, released(substitute_gravity(), one)) for label, one in laws]
+    laws = ("4-38", BY_4_38), *bands_raised(BY_4_38)
+    return [(label, substitute_gravity(law)) for label, law in laws]
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_4_48() -> Figure:
     """Effect of small changes of r in 4-38 on the free vibration of the substitute-gravity wall.
 
-    The thesis does not state its deviations. Here r is 0.02 larger in one of the three
+    In kind: the thesis does not state its deviations. Here r is 0.02 larger in one of the three
     faster bands at a time. In the fastest one this brings one more passage, with 0.783 m/s, over
     the limit of 0.78 m/s. In the slowest of them it moves the wall so little that its curve lies
     under that of 4-38; the differences are below.

@@ -14,8 +14,8 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.figures.chapter_3 import mark_quarters
-from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
 
@@ -31,7 +31,7 @@ def points(run: int) -> tuple[np.ndarray, np.ndarray]:
     """(n,) times [s] and displacements [m] of a run: peaks and zeros in turn."""
     table = {1: FIGURE_5_6, 2: FIGURE_5_10}[run]
     rows = np.array(table.rows, dtype=float)
-    return rows[:, 0], rows[:, 1] / MM
+    return rows[:, 0], rows[:, 1] / dr.MM
 
 
 def smooth_trace(run: int, n: int = 1200) -> tuple[np.ndarray, np.ndarray]:
@@ -43,9 +43,14 @@ def smooth_trace(run: int, n: int = 1200) -> tuple[np.ndarray, np.ndarray]:
     return t, PchipInterpolator(time, displacement)(t)
 
 
-def mark_points(ax: Axes, run: int, label: str = "printed") -> None:
+def draw_points(ax: Axes, run: int) -> None:
+    """The printed points of a run, and the curve through them."""
+    t, trace = smooth_trace(run)
     time, displacement = points(run)
-    ax.plot(time, displacement * MM, "o", ms=4, zorder=5, label=label, **OPEN)
+    ax.plot(t, trace * dr.MM, "--", lw=0.8, label="curve through the points")
+    ax.plot(time, displacement * dr.MM, "o", ms=4, zorder=5, label="printed", **dr.OPEN)
+    ax.set(xlabel=dr.TIME, ylabel=dr.DELTA)
+    style.legend_above(ax)
 
 
 @cache
@@ -60,23 +65,20 @@ def impacts() -> identification.Impacts:
 # --- run 1: steel feet
 
 
-@thesis_axes(Source.PRINTED, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.PRINTED, 7.2, 3.2)
 def figure_5_6(ax: Axes) -> None:
     """Displacement of the column in run 1, released on steel feet: the sixteen printed points.
 
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed. Above each impact is its r, by 5-4 of the peaks on both sides.
     """
-    t, trace = smooth_trace(1)
-    ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
-    mark_points(ax, 1)
+    draw_points(ax, 1)
     rocking = impacts()
     for i, (time, r) in enumerate(zip(rocking.time, rocking.energy_ratio, strict=True)):
         text = f"$r$ = {r:.3f}" if i == 0 else f"{r:.3f}"
         ax.annotate(text, (time, 31), ha="center", fontsize=7.5, color=style.INK)
         ax.axvline(time, 0.0, 0.93, color="0.85", lw=0.6, zorder=0)
-    ax.set(ylim=(-30, 36), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
-    style.legend_above(ax)
+    ax.set_ylim(-30, 36)
 
 
 def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
@@ -95,17 +97,13 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     figure, ax = style.new_axes(6.2, 3.6)
     ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
     mark_quarters(ax, size / ALPHA, quarters, "printed points")
-    ax.set(
-        xlabel=r"peak rotation $|\theta_0|/\alpha_e$ [-]",
-        ylabel="quarter period [s]",
-        xlim=(0, 0.12),
-        ylim=(0, None),
-    )
+    ax.set(xlabel=r"peak rotation $|\theta_0|/\alpha_e$ [-]", xlim=(0, 0.12), ylim=(0, None))
+    ax.set_ylabel("quarter period [s]")
     ax.legend(loc="upper left")
     return figure
 
 
-@thesis_figure(Source.PRINTED)
+@dr.thesis_figure(dr.Source.PRINTED)
 def figure_5_7() -> Figure:
     """Quarter periods of run 1 against the peak rotation, and those of the rigid column.
 
@@ -118,7 +116,7 @@ def figure_5_7() -> Figure:
     return draw_quarters(1, rotation, "rigid column")
 
 
-@thesis_axes(Source.PRINTED, 6.0, 3.4)
+@dr.thesis_axes(dr.Source.PRINTED, 6.0, 3.4)
 def figure_5_9(ax: Axes) -> None:
     """r of run 1 against the peak rotation before the impact, by 5-4 from the printed peaks.
 
@@ -127,41 +125,29 @@ def figure_5_9(ax: Axes) -> None:
     """
     rocking = impacts()
     r, peak = rocking.energy_ratio, np.abs(rocking.peak_before) / ALPHA
-    for foot, mark in (("left", "<"), ("right", ">")):
-        one = rocking.foot == foot
-        ax.errorbar(
-            peak[one], r[one], rocking.half_width[one], fmt=mark, ms=5, color=style.FEET[foot],
-            label=f"{foot} foot lands", capsize=2, lw=0.8,
-        )  # fmt: skip
-    ax.axhline(0.74, color=style.INK, ls="--", lw=0.8)
+    ax.errorbar(peak, r, rocking.half_width, fmt="none", ecolor=style.INK, capsize=2, lw=0.8)
+    dr.draw_feet(ax, rocking.foot == "left", peak, r, ms=5)
+    ax.axhline(0.74, ls="--", **dr.THIN)
     ax.annotate("5-14: 0.74", (0.118, 0.74), (0, 3), textcoords="offset points", ha="right")
-    ax.set(
-        xlabel=r"peak rotation before the impact $|\theta|/\alpha_e$ [-]",
-        ylabel="r [-]",
-        xlim=(0, 0.12),
-        ylim=(0.7, 1.0),
-    )
+    before = r"peak rotation before the impact $|\theta|/\alpha_e$ [-]"
+    ax.set(xlabel=before, ylabel="r [-]", xlim=(0, 0.12), ylim=(0.7, 1.0))
     ax.legend(loc="upper right")
 
 
 # --- run 2: soft rubber
 
 
-@thesis_axes(Source.PRINTED, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.PRINTED, 7.2, 3.2)
 def figure_5_10(ax: Axes) -> None:
     """Displacement of the column in run 2, released on soft rubber: the sixteen printed points.
 
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed.
     """
-    t, trace = smooth_trace(2)
-    ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
-    mark_points(ax, 2)
-    ax.set(xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
-    style.legend_above(ax)
+    draw_points(ax, 2)
 
 
-@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 3.2)
 def figure_5_12(ax: Axes) -> None:
     """Place of the rotation centre in run 2 in time, by 5-5 of the displacement.
 
@@ -170,34 +156,35 @@ def figure_5_12(ax: Axes) -> None:
     """
     t, trace = smooth_trace(2)
     centre = identification.rotation_centre(trace)
-    ax.plot(t, centre * MM, label="5-5 of the curve through the points")
-    for edge, name in ((0, "left edge"), (600, "right edge")):
-        ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
-        ax.annotate(name, (1.79, edge), (0, 3), textcoords="offset points", ha="right", fontsize=8)
-    ax.set(xlabel="time [s]", ylabel="from the left edge $x$ [mm]", ylim=(-20, 640))
+    ax.plot(t, centre * dr.MM, label="5-5 of the curve through the points")
+    mark_edges(ax, 1.8)
+    ax.set_xlabel(dr.TIME)
     style.legend_above(ax)
 
 
-@thesis_axes(Source.COMPUTED, 5.6, 3.4)
+def mark_edges(ax: Axes, right: float) -> None:
+    """Dashed lines at both edges of the base, named at the right end."""
+    for edge, name, offset in ((0, "left edge", 3), (600, "right edge", -10)):
+        ax.axhline(edge, ls="--", **dr.THIN)
+        at = (right, edge)
+        ax.annotate(name, at, (0, offset), textcoords="offset points", ha="right", fontsize=8)
+    ax.set(ylabel="from the left edge $x$ [mm]", ylim=(-20, 620))
+
+
+@dr.thesis_axes(dr.Source.COMPUTED, 5.6, 3.4)
 def figure_5_13(ax: Axes) -> None:
     """Place of the rotation centre against the displacement in run 2: 5-5.
 
     The measured values, by direction of motion, are not printed.
     """
     d = np.linspace(-0.03, 0.03, 301)
-    ax.plot(d * MM, identification.rotation_centre(d) * MM, label="5-5")
-    for edge in (0, 600):
-        ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
-    ax.set(
-        xlabel=r"displacement $\Delta$ [mm]",
-        ylabel="from the left edge $x$ [mm]",
-        xlim=(-30, 30),
-        ylim=(-20, 620),
-    )
+    ax.plot(d * dr.MM, identification.rotation_centre(d) * dr.MM, label="5-5")
+    mark_edges(ax, 29.5)
+    ax.set(xlabel=dr.DELTA, xlim=(-30, 30))
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9))
 
 
-@thesis_figure(Source.PRINTED)
+@dr.thesis_figure(dr.Source.PRINTED)
 def figure_5_14() -> Figure:
     """Quarter periods of run 2 against the peak rotation, and those of the column on steel feet.
 
@@ -231,8 +218,8 @@ def frequencies(mode: str) -> list[float]:
     return sorted(float(np.sqrt(s) / (2 * np.pi)) for s in squares if s > 0)
 
 
-@thesis_panels(Source.IN_KIND, 7.2, 4.6)
-def figure_5_15(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.IN_KIND, 7.2, 4.6, 2)
+def figure_5_15(trace: Axes, spectrum: Axes) -> None:
     """Horizontal acceleration of the column's mass after a release, and its spectrum; in kind.
 
     The measured trace, on rubber, is not printed. Here the flexible column is released on steel
@@ -245,9 +232,8 @@ def figure_5_15(figure: Figure) -> None:
     t = np.arange(2500) / 1000
     x = run.at(t, names=["displacement"])["displacement"]
     record = analysis.MeasuredRecord(t, {"x": x}, {"x": 0.0}).with_derivatives("x", 0.008)
-    trace, spectrum = figure.subplots(2, 1)
     trace.plot(t, record["x_ddot"], lw=0.7, color=style.LINES[0])
-    trace.set(xlabel="time [s]", ylabel=r"acceleration [m/s$^2$]")
+    trace.set(xlabel=dr.TIME, ylabel=r"acceleration [m/s$^2$]")
     rest = run.events.rest_time or 1.2
     for part, span, color, label in (
         (record.between(0.0, rest), rest, style.LINES[0], "while it rocks"),
@@ -258,22 +244,19 @@ def figure_5_15(figure: Figure) -> None:
         )
         spectrum.plot(windows.frequency, windows.amplitude[0], color=color, label=label)
     both, foot = frequencies("both")[0], frequencies("right")[-1]
-    for mode in (both, foot):
-        spectrum.axvline(mode, color=style.INK, ls="--", lw=0.8)
-    spectrum.axvline(56, color=style.INK, ls=":", lw=0.9)
-    for mode, name in ((both, f"{both:.1f} Hz"), (foot, f"{foot:.1f} Hz"),
-                       (56, "56 Hz, measured")):  # fmt: skip
+    for mode, name, line in (
+        (both, f"{both:.1f} Hz", "--"),
+        (foot, f"{foot:.1f} Hz", "--"),
+        (56, "56 Hz, measured", ":"),
+    ):
+        spectrum.axvline(mode, ls=line, **dr.THIN)
         spectrum.annotate(name, (mode, 1.07), (3, 0), textcoords="offset points", fontsize=8)
-    spectrum.set(
-        ylim=(0, 1.18),
-        xlim=(0, 80),
-        xlabel="frequency [Hz]",
-        ylabel="amplitude over its largest [-]",
-    )
+    spectrum.set(ylim=(0, 1.18), xlim=(0, 80), xlabel="frequency [Hz]")
+    spectrum.set_ylabel("amplitude over its largest [-]")
     spectrum.legend(loc="center right")
 
 
-@thesis_axes(Source.PRINTED, 5.6, 3.4)
+@dr.thesis_axes(dr.Source.PRINTED, 5.6, 3.4)
 def figure_5_16(ax: Axes) -> None:
     """Damping ratio of each cycle of run 2 against its peak, by 5-7.
 
@@ -283,17 +266,10 @@ def figure_5_16(ax: Axes) -> None:
     _, displacement = points(2)
     peaks = displacement[::2]
     ratio = formulas.damping_from_decrement(peaks[:-2], peaks[2:])
-    size = np.abs(peaks[:-2])
-    for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
-        one = np.sign(peaks[:-2]) == side
-        ax.plot(size[one] * MM, ratio[one], mark, ms=5, label=f"peaks {name}")
-    ax.axhline(0.104, color=style.INK, ls="--", lw=0.8)
+    dr.draw_sides(ax, peaks[:-2], ratio)
+    ax.axhline(0.104, ls="--", **dr.THIN)
     ax.annotate("0.104, all of the record", (29.5, 0.104), (0, 3), textcoords="offset points",
                 ha="right", fontsize=8)  # fmt: skip
-    ax.set(
-        xlabel=r"peak displacement $|\Delta|$ [mm]",
-        ylabel=r"damping ratio $\xi$ [-]",
-        xlim=(0, 30),
-        ylim=(0, 0.12),
-    )
+    ax.set(xlabel=r"peak displacement $|\Delta|$ [mm]", xlim=(0, 30), ylim=(0, 0.12))
+    ax.set_ylabel(r"damping ratio $\xi$ [-]")
     ax.legend(loc="lower left")

@@ -8,7 +8,7 @@ from scipy.special import erf
 
 from rockeom.analysis import identification
 from rockeom.thesis.figures import chapter_4_free_vibration as figures
-from rockeom.thesis.figures.chapter_4_wall import GAUGE, legible
+from rockeom.thesis.figures.chapter_4_free_vibration import GAUGE, legible
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.statements import statement as st

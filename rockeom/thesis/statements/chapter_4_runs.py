@@ -10,11 +10,15 @@ import numpy as np
 import rockeom as rk
 from rockeom.analysis import identification
 from rockeom.thesis import shaken
-from rockeom.thesis.figures import chapter_4_shaken
-from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
-from rockeom.thesis.figures.chapter_4_shaken import MEASURED_PEAK, peaks_by_ratio, settled_speeds
-from rockeom.thesis.figures.chapter_4_tests import BESIDE, settled
-from rockeom.thesis.figures.chapter_4_wall import legible
+from rockeom.thesis.figures.chapter_4_free_vibration import legible
+from rockeom.thesis.figures.chapter_4_shaken import (
+    displacement,
+    measured_peak,
+    oscillator_run,
+    peaks_by_ratio,
+    settled,
+    settled_speeds,
+)
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_3
 from rockeom.thesis.statements import statement as st
@@ -94,14 +98,14 @@ def run_4_with_a_constant_ratio() -> st.Finding:
 
 
 def trials_of_run_4() -> st.Finding:
-    peaks = {name: 1e3 * float(run.peak) for name, run in chapter_4_shaken.trials().items()}
-    error = min(abs(x / (1e3 * abs(MEASURED_PEAK)) - 1) for x in peaks.values())
+    peaks = {name: 1e3 * float(run.peak) for name, run in shaken.trials().items()}
+    error = min(abs(x / (1e3 * abs(measured_peak("4"))) - 1) for x in peaks.values())
     return st.finding(error, ", ".join(f"{name} {x:.1f} mm" for name, x in peaks.items()))
 
 
 def conservative_analyses() -> st.Finding:
     _, peaks = peaks_by_ratio()
-    share = 100 * float(np.mean(peaks >= abs(MEASURED_PEAK)))
+    share = 100 * float(np.mean(peaks >= abs(measured_peak("4"))))
     return st.finding(
         share,
         f"{share:.0f} % reach the measured 23.91 mm; the largest is {1e3 * peaks.max():.1f} mm",
@@ -148,10 +152,10 @@ def velocities_in_the_smear() -> st.Finding:
 
 def growth_of_a_small_difference() -> st.Finding:
     first = oscillator_run("4")
-    again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
+    again = rk.simulate(first.structure, first.motion, initial={"u": shaken.BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     apart = float(np.abs(displacement(first, t) - displacement(again, t)).max())
     return st.finding(
-        apart / BESIDE,
-        f"in kind, {1e3 * BESIDE:g} mm apart at first they come {1e3 * apart:.2f} mm apart",
+        apart / shaken.BESIDE,
+        f"in kind, {1e3 * shaken.BESIDE:g} mm apart at first they come {1e3 * apart:.2f} mm apart",
     )

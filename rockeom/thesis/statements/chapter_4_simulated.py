@@ -123,7 +123,7 @@ def moving_averages() -> st.Finding:
 def improvement_by_4_31() -> st.Finding:
     by_4_31, constant = figures.miss(figures.BY_4_31), figures.miss(figures.CONSTANT)
     return st.finding(
-        by_4_31.peak / constant.peak,
+        by_4_31.rms_peak / constant.rms_peak,
         f"rms of the peaks and their times: {by_4_31} with 4-31, {constant} with 0.88",
     )
 
@@ -131,7 +131,7 @@ def improvement_by_4_31() -> st.Finding:
 def effect_of_4_36() -> st.Finding:
     by_4_36, by_4_31 = figures.miss(figures.BY_4_36), figures.miss(figures.BY_4_31)
     return st.finding(
-        by_4_36.peak / by_4_31.peak,
+        by_4_36.rms_peak / by_4_31.rms_peak,
         f"rms of the peaks and their times: {by_4_36} with 4-36, {by_4_31} with 4-31",
     )
 

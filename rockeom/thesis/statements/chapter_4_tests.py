@@ -9,7 +9,6 @@ from rockeom.analysis import identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import chapter_4_tests as figures
-from rockeom.thesis.figures.chapter_4_spectra import windows_of_decay
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_4
 from rockeom.thesis.statements import statement as st
@@ -118,7 +117,7 @@ def test_2_over_test_1() -> st.Finding:
 
 def _modes_of_decay() -> tuple[float, np.ndarray]:
     """The highest frequency [Hz] and those after it."""
-    windows = windows_of_decay()
+    windows = figures.free_decay()[1]
     dominant, time = windows.dominant, windows.time
     return float(dominant.max()), dominant[time > float(time[np.argmax(dominant)]) + windows.span]
 
@@ -169,7 +168,8 @@ def frequency_of_bending() -> st.Finding:
 
 def share_of_windows(run: str, until: str, low: str, high: str) -> st.Finding:
     """Part of the windows of a run, to a time [s], whose frequency is between two [Hz]."""
-    share = figures.between(figures.frequencies(run, float(until)), float(low), float(high))
+    f = figures.frequencies(run, float(until))
+    share = 100 * float(np.mean((float(low) <= f) & (f <= float(high))))
     return st.finding(share, f"in kind {share:.0f} % from {low} to {high} Hz")
 
 

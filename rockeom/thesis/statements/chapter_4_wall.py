@@ -3,13 +3,15 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
 from rockeom.analysis import formulas, identification
-from rockeom.thesis.figures.chapter_4_free_vibration import inertia_over_radius
-from rockeom.thesis.figures.chapter_4_wall import TendonOfTable, legible
+from rockeom.thesis.figures.chapter_4_free_vibration import (
+    inertia_over_radius,
+    legible,
+    tendon_fit,
+)
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_2, TENDON
 from rockeom.thesis.statements import statement as st
@@ -33,19 +35,18 @@ def change_of_the_tendon_force() -> st.Finding:
 # --- the tendon of 4.6
 
 
-@cache
-def tendon() -> TendonOfTable:
-    return TendonOfTable.fitted()
-
-
-def fit_of_4_16(rows: np.ndarray) -> tuple[float, float]:
+def fit_of_4_16(rows: np.ndarray) -> tuple[float, ...]:
     """R2 of 4-16 over rows of Table A-1, with 4-7 as printed and with 4-7 from the edge."""
+    measured = identification.FreeVibration.table_a1()
     edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
-    return tendon().r_squared(WALL, rows), tendon().r_squared(edge, rows)
+    d, force = measured.displacement[rows], np.asarray(measured.tendon_force)[rows]
+    r_squared = identification.coefficient_of_determination
+    return tuple(r_squared(force, wall.tendon_force(d)) for wall in (WALL, edge))
 
 
 def fit_of_the_tendon_force() -> st.Finding:
-    rows, peaks = fit_of_4_16(tendon().legible), fit_of_4_16(tendon().peaks)
+    at_peak = identification.FreeVibration.table_a1().at_peak
+    rows, peaks = fit_of_4_16(legible()), fit_of_4_16(legible() & at_peak)
     return st.finding(
         rows[0],
         f"{rows[0]:.3f} at all legible rows, {peaks[0]:.3f} at the peaks; {rows[1]:.3f} and "
@@ -54,16 +55,17 @@ def fit_of_the_tendon_force() -> st.Finding:
 
 
 def adequacy_of_the_tendon_force() -> st.Finding:
-    of = tendon()
-    r_squared, _ = fit_of_4_16(of.legible)
-    large = of.peaks & (np.abs(of.displacement) > 6e-3)
-    above = (WALL.tendon_force(of.displacement[large]) - of.force[large]) / 1e3
-    least, most = (100 * factor for factor in of.fit.interval("factor"))
+    measured, fit = identification.FreeVibration.table_a1(), tendon_fit()
+    r_squared, _ = fit_of_4_16(legible())
+    large = measured.at_peak & legible() & (np.abs(measured.displacement) > 6e-3)
+    force = np.asarray(measured.tendon_force)[large]
+    above = (WALL.tendon_force(measured.displacement[large]) - force) / 1e3
+    least, most = (100 * factor for factor in fit.interval("factor"))
     return st.finding(
         r_squared,
         f"{r_squared:.3f}; yet 4-16 lies {above.min():.1f} to {above.max():.1f} kN above the "
         f"{large.sum()} peaks beyond 6 mm, which ask for {least:.0f} to {most:.0f} % of EA/L from "
-        f"{of.fit.values['start'] / 1e3:.1f} kN on (95 % confidence)",
+        f"{fit.values['start'] / 1e3:.1f} kN on (95 % confidence)",
     )
 
 

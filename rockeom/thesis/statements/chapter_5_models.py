@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
-from rockeom.thesis.figures import chapter_5_flexible as flexible, chapter_5_rigid as rigid
+from rockeom.thesis.figures import chapter_5_models as figures
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, TABLE_5_1
 from rockeom.thesis.statements import statement as st
 
@@ -19,7 +19,7 @@ _MODELS = {
     "A": shaken.MODEL_A,
     "B": shaken.model_b(),
     "B on 10 MN/m": shaken.model_b(10e6),
-    "C": flexible.MODEL_C,
+    "C": figures.MODEL_C,
 }
 
 
@@ -37,15 +37,15 @@ def restitution_of_the_column() -> st.Finding:
 
 
 _RELEASED = {
-    "A": (lambda: rigid.released(shaken.MODEL_A, 0.74), "Figure 5-6"),
-    "B": (lambda: rigid.released_on_springs(550e3), "Figure 5-10"),
+    "A": (lambda: figures.released(shaken.MODEL_A, 0.74), "Figure 5-6"),
+    "B": (lambda: figures.released_on_springs(550e3), "Figure 5-10"),
 }
 
 
 def first_quarter(model: str) -> st.Finding:
     released, number = _RELEASED[model]
-    (start, zero, *_), _ = rigid.measured(number)
-    own = rigid.first_zero(released())
+    (start, zero, *_), _ = figures.measured(number)
+    own = figures.first_zero(released())
     return st.finding(
         own / float(zero - start),
         f"from rest to upright in {own:.3f} s; the times printed are {float(zero - start):.3f} s "
@@ -56,17 +56,17 @@ def first_quarter(model: str) -> st.Finding:
 def matching(model: str, peaks: str) -> st.Finding:
     """Rms error of the first peaks of run 1 with r = 0.81 over that with 0.74."""
     own, other = (
-        rigid.rms_of_peaks(rigid.released(_MODELS[model], r), "Figure 5-6", int(peaks))
+        figures.rms_of_peaks(figures.released(_MODELS[model], r), "Figure 5-6", int(peaks))
         for r in (0.81, 0.74)
     )
     return st.finding(own / other, f"rms {own:.2f} mm, with 0.74 {other:.2f} mm")
 
 
 def largest_displacement(run: str, model: str) -> st.Finding:
-    peaks = rigid.band(run, _MODELS[model])
+    peaks = figures.band(run, _MODELS[model])
     said = _said(peaks)
     if run == "4":
-        other = peaks[len(rigid.SCALES)]
+        other = peaks[len(figures.SCALES)]
         said += (
             f"; N76W is published as 254 degrees today, the component 164 comes to {other:.1f} mm"
         )
@@ -75,7 +75,7 @@ def largest_displacement(run: str, model: str) -> st.Finding:
 
 def effect_of_the_model(run: str, model: str, other: str) -> st.Finding:
     """How far the largest displacements by one model are from those by another."""
-    own, beside = (rigid.band(run, _MODELS[name]) for name in (model, other))
+    own, beside = (figures.band(run, _MODELS[name]) for name in (model, other))
     change = 100 * np.abs(own / beside - 1)
     return st.ranging(
         change,
@@ -86,14 +86,15 @@ def effect_of_the_model(run: str, model: str, other: str) -> st.Finding:
 
 def run_3_with_the_ratio_of_the_test() -> st.Finding:
     measured = TABLE_5_1.cell("3", "largest displacement")
-    with_081, with_074 = (rigid.band("3", shaken.MODEL_A, r) for r in (0.81, 0.74))
+    with_081, with_074 = (figures.band("3", shaken.MODEL_A, r) for r in (0.81, 0.74))
     ratio = np.abs(with_081 - measured) / np.abs(with_074 - measured)
     return st.ranging(ratio, f"with r = 0.81 {_said(with_081)}; with 0.74 {_said(with_074)}")
 
 
 def ratio_of_velocities_of_the_column() -> st.Finding:
     energies, velocities = (
-        rigid.rms_of_peaks(rigid.released(shaken.MODEL_A, r), "Figure 5-6") for r in (0.74, 0.74**2)
+        figures.rms_of_peaks(figures.released(shaken.MODEL_A, r), "Figure 5-6")
+        for r in (0.74, 0.74**2)
     )
     return st.finding(
         velocities / energies,
@@ -113,20 +114,20 @@ def stiffness_of_the_rubber() -> st.Finding:
 
 
 def forces_at_lift_off() -> st.Finding:
-    a = rigid.approximation(550e3)
+    a = figures.approximation(550e3)
     jump = 100 * (a["P_crit2"] / a["P_crit"] - 1)
     return st.finding(abs(jump), f"P_crit2 is {jump:+.2f} % of P_crit off")
 
 
 def accuracy_of_the_linear_approximation() -> st.Finding:
-    u, force = rigid.exact_pushover(550e3)
-    off = np.abs(rigid.approximate_force(550e3, u) - force).max()
-    worst = 100 * float(off / rigid.approximation(550e3)["P_crit"])
+    u, force = figures.exact_pushover(550e3)
+    off = np.abs(figures.approximate_force(550e3, u) - force).max()
+    worst = 100 * float(off / figures.approximation(550e3)["P_crit"])
     return st.finding(worst, f"off by {worst:.1f} % of P_crit at most")
 
 
 def best_ratio_on_rubber() -> st.Finding:
-    errors = rigid.errors_on_rubber()
+    errors = figures.errors_on_rubber()
     best = min(errors, key=lambda r: errors[r])
     return st.finding(
         best, f"{best:.2f}: rms {errors[best]:.1f} mm, with 0.74 {errors[0.74]:.1f} mm"
@@ -134,12 +135,12 @@ def best_ratio_on_rubber() -> st.Finding:
 
 
 def peaks_against_the_stiffness() -> st.Finding:
-    runs = [rigid.released_on_springs(k * 1e3) for k in (550, 275, 825)]
+    runs = [figures.released_on_springs(k * 1e3) for k in (550, 275, 825)]
     swings = [identification.swings(run, "u", 8) for run in runs]
     first = abs(swings[0].peak[0])
     change = 100 * max(float(np.abs(one.peak - swings[0].peak).max()) for one in swings[1:]) / first
     late = max(float(np.abs(one.peak_time - swings[0].peak_time).max()) for one in swings[1:])
-    errors = [rigid.rms_of_peaks(run, "Figure 5-10") for run in runs]
+    errors = [figures.rms_of_peaks(run, "Figure 5-10") for run in runs]
     return st.finding(
         change,
         f"seven peaks change by up to {change:.1f} % of the first displacement, their times by up "
@@ -149,7 +150,7 @@ def peaks_against_the_stiffness() -> st.Finding:
 
 def settlement(stiffness: str) -> st.Finding:
     """stiffness : k_f [kN/m]."""
-    deepest = rigid.WEIGHT / (2 * float(stiffness))
+    deepest = figures.WEIGHT / (2 * float(stiffness))
     return st.finding(deepest, f"a foot that bears all of the weight goes down by {deepest:.2f} mm")
 
 
@@ -158,24 +159,24 @@ def settlement(stiffness: str) -> st.Finding:
 
 def end_of_rocking() -> st.Finding:
     ends = [
-        flexible.rocking_ends(rigid.released(one, 0.74))
-        for one in (flexible.MODEL_C, shaken.MODEL_A)
+        figures.rocking_ends(figures.released(one, 0.74))
+        for one in (figures.MODEL_C, shaken.MODEL_A)
     ]
     return st.finding(ends[0] - ends[1], f"{ends[0] - ends[1]:.2f} s, with 0.1 mm as the end")
 
 
 def vibration_after_rocking() -> st.Finding:
-    run, stiff = (rigid.released(one, 0.74) for one in (flexible.MODEL_C, shaken.MODEL_A))
-    lasts, ends = flexible.deformation_lasts(run), flexible.rocking_ends(stiff)
+    run, stiff = (figures.released(one, 0.74) for one in (figures.MODEL_C, shaken.MODEL_A))
+    lasts, ends = figures.deformation_lasts(run), figures.rocking_ends(stiff)
     return st.finding(
         lasts - ends,
-        f"uplifts of 0.1 mm end at {flexible.rocking_ends(run):.2f} s, deformations of 0.1 mm at "
+        f"uplifts of 0.1 mm end at {figures.rocking_ends(run):.2f} s, deformations of 0.1 mm at "
         f"{lasts:.2f} s; the rigid column's uplifts at {ends:.2f} s",
     )
 
 
 def isolation_by_rocking() -> st.Finding:
-    compared = [flexible.beside(scale, run).ratios for run in "34" for scale in (0.85, 1.0, 1.15)]
+    compared = [figures.beside(scale, run).ratios for run in "34" for scale in (0.85, 1.0, 1.15)]
     drift = [one["displacement"] for one in compared]
     relief = [1 / one["base_shear"] for one in compared]
     return st.ranging(
@@ -186,16 +187,16 @@ def isolation_by_rocking() -> st.Finding:
 
 
 _VARIED = {
-    "r": (flexible.with_ratios, "0.04 more or less"),
-    "k": (flexible.with_stiffnesses, "10 % more or less"),
-    "c": (flexible.with_dampings, "from none to 6 % of damping"),
+    "r": (figures.with_ratios, "0.04 more or less"),
+    "k": (figures.with_stiffnesses, "10 % more or less"),
+    "c": (figures.with_dampings, "from none to 6 % of damping"),
 }
 
 
 def sensitivity(parameter: str) -> st.Finding:
     """Largest change of the largest displacement from that of the first run [%]."""
     curves, what = _VARIED[parameter]
-    sizes = [rigid.largest(run) for run in curves().values()]
+    sizes = [figures.largest(run) for run in curves().values()]
     spread = 100 * max(abs(x / sizes[0] - 1) for x in sizes[1:])
     return st.finding(spread, f"{what} changes the largest displacement by {spread:.0f} %")
 
@@ -205,7 +206,8 @@ def sensitivity(parameter: str) -> st.Finding:
 
 def accuracy_of_model_c() -> st.Finding:
     errors = [
-        rigid.rms_of_peaks(rigid.released(flexible.MODEL_C, r), "Figure 5-6") for r in (0.81, 0.74)
+        figures.rms_of_peaks(figures.released(figures.MODEL_C, r), "Figure 5-6")
+        for r in (0.81, 0.74)
     ]
     share = 100 * np.array(errors) / FIGURE_5_6.numbers("displacement")[0]
     return st.ranging(
@@ -217,7 +219,7 @@ def accuracy_of_model_c() -> st.Finding:
 
 def improvement_by_model_c() -> st.Finding:
     errors = {
-        r: [rigid.rms_of_peaks(rigid.released(_MODELS[of], r), "Figure 5-6") for of in "CA"]
+        r: [figures.rms_of_peaks(figures.released(_MODELS[of], r), "Figure 5-6") for of in "CA"]
         for r in (0.81, 0.74)
     }
     return st.ranging(

