@@ -100,16 +100,12 @@ def nondimensional(model: RockingModel, side: int) -> sp.Expr:
     return sp.expand(harmonic(residual(model, side), 1) / (SCALED["radius_ratio"] * ALPHA))
 
 
-def scaled(expr: sp.Expr, inertia: sp.Expr, radius: sp.Expr) -> sp.Expr:
-    """A block's moments by 2-10 to 2-12, in units of m g R."""
-    unit = BLOCK["mass"] * G * radius
-    put = {THETA: ALPHA * SCALED["x"], THETA_DD: ALPHA * SCALED["x_ddot"] * unit / inertia}
-    return harmonic(expr.subs(put, simultaneous=True), G) / unit
-
-
 def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
-    inertia = model.equations(MODE[side]).mass_matrix[0, 0]
-    return scaled(residual(model, side), inertia, R) / ALPHA
+    """The block's moments by 2-10 to 2-12, in units of m g R alpha."""
+    inertia, unit = model.equations(MODE[side]).mass_matrix[0, 0], BLOCK["mass"] * G * R
+    put = {THETA: ALPHA * SCALED["x"], THETA_DD: ALPHA * SCALED["x_ddot"] * unit / inertia}
+    moments = residual(model, side).subs(put, simultaneous=True)
+    return harmonic(moments, G) / (unit * ALPHA)
 
 
 # --- forces of the block
