@@ -187,21 +187,3 @@ def test_printed_2_13_does_not_follow_from_newton_in_scaled_time():
                 worst[form] = max(worst[form], difference)
     assert worst["right"] < TOLERANCE
     assert worst["printed"] > 1e-2
-
-
-@pytest.mark.parametrize("side", [1, -1])
-def test_printed_3_12_is_not_the_support_force_on_the_left(side):
-    """The force beside an impact, with the acceleration of 3-10 put into Newton's second law."""
-    rng = np.random.default_rng(312)
-    (start,), (printed,) = EQUATIONS["3-10"].right, EQUATIONS["3-12"].printed
-    (corrected,) = EQUATIONS["3-12"].right
-    for _ in range(STATES):
-        n = random_state(rng, side)
-        n[th.theta], n[th.a_g] = 0.0, 0.0
-        n[th.theta_d_impact] = n[th.theta_d]
-        n[th.theta_dd] = float(at_side(start.rhs, side).subs(n))
-        newton = support(n, side).imag
-        assert abs(float(at_side(corrected.rhs, side).subs(n)) - newton) < TOLERANCE
-        slip = float(at_side(printed.rhs, side).subs(n)) - newton
-        expected = (1 - side) * 0.75 * n[th.m] * n[th.g] * n[th.alpha] * np.sin(n[th.alpha])
-        assert abs(slip - expected) < TOLERANCE

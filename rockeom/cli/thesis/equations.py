@@ -101,8 +101,7 @@ def _shown(decision: thesis.Decision, columns: int) -> str:
         blocks += ["Printed minus right:", Display(tuple(one.excess_lines))]
     if one.domain:
         blocks.append(f"The printed form is right where {one.domain.words}.")
-    texts = one.assumption, one.fitted, one.remark, one.undetermined
-    blocks += [text for text in texts if text]
+    blocks += [text for text in (one.assumption, one.fitted, one.remark, one.undetermined) if text]
     blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
     blocks.append("Decided by:")
     text = to_text(blocks, columns)
