@@ -129,7 +129,7 @@ def test_catalogue_has_an_entry_for_every_equation_on_some_page(catalogue):
         page = (DOCS / "equations" / catalogue._page(one)).read_text("utf-8")
         assert f"<!-- equations {one.chapter} -->" in page
         decision = thesis.Decision(
-            one, thesis.claim(one), thesis.CHECKS.get(one.number, ()), (), (), (), 0.0
+            one, thesis.claim(one), thesis.CHECKS.get(one.number, ()), (), (), 0.0
         )
         text = catalogue.entry(decision)
         assert text.startswith(f"(equation-{one.number.lower()})=\n### {one.number}\n")
