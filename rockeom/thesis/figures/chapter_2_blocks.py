@@ -165,9 +165,9 @@ def symmetric_state() -> np.ndarray:
 
 @cache
 def cascade() -> dynamics.Cascade:
-    """Break of symmetry and the first five doublings."""
+    """Break of symmetry and the first four doublings."""
     return dynamics.period_doublings(
-        stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5
+        stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=4
     )
 
 

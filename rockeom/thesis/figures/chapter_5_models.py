@@ -263,6 +263,7 @@ def figure_5_29(ax: Axes) -> None:
     style.legend_above(ax)
 
 
+@cache
 def exact_pushover(k_f: float) -> tuple[np.ndarray, np.ndarray]:
     """Displacements [m] and forces [N] of the column on two springs, no angle taken as small.
 
