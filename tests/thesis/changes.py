@@ -25,26 +25,6 @@ THESIS = PROJECT / "rockeom" / "thesis"
 TESTS = "test_approved.py test_dimensions.py test_statements.py test_tables.py test_equations.py"
 QUICK = "reviewed or quotation or printed or approved or dimension"
 """Tests that run first, since they take no time."""
-COLUMNS = (
-    "place", "figure", "quotation", "scan", "limits", "unit", "why", "evidence", "lost",
-    "correction",
-)  # fmt: skip
-"""Columns of the table of statements that may change."""
-
-
-class Change(NamedTuple):
-    """A piece of a file of the project, and what stands there instead."""
-
-    kind: str
-    path: Path
-    start: int
-    old: str
-    new: str
-
-    def __str__(self) -> str:
-        text = self.path.read_text(encoding="utf-8")
-        line = text.count("\n", 0, self.start) + 1
-        return f"{self.kind}: {self.path.relative_to(PROJECT)}:{line}: {self.old!r} -> {self.new!r}"
 
 
 class Piece(NamedTuple):
@@ -53,6 +33,19 @@ class Piece(NamedTuple):
     path: Path
     start: int
     text: str
+
+
+class Change(NamedTuple):
+    """A piece of a file of the project, and what stands there instead."""
+
+    kind: str
+    of: Piece
+    new: str
+
+    def __str__(self) -> str:
+        path, start, old = self.of
+        line = path.read_text(encoding="utf-8").count("\n", 0, start) + 1
+        return f"{self.kind}: {path.relative_to(PROJECT)}:{line}: {old!r} -> {self.new!r}"
 
 
 def pieces(path: Path, pattern: str) -> Iterator[Piece]:
@@ -66,7 +59,8 @@ def pieces(path: Path, pattern: str) -> Iterator[Piece]:
 def cells(column: str) -> Iterator[Piece]:
     """Cells of a column of the table of statements."""
     path, cell = THESIS / "statements" / "table.csv", r'(?:"(?:[^"]|"")*"|[^",\n]*)'
-    before = f"(?:{cell},){{{COLUMNS.index(column)}}}"
+    columns = path.read_text(encoding="utf-8").partition("\n")[0].split(",")
+    before = f"(?:{cell},){{{columns.index(column)}}}"
     every = pieces(path, rf"^{before}({cell})(?:,|$)")
     yield from (one for one in every if one.text != column)
 
@@ -96,16 +90,20 @@ def another_letter(piece: str, draw: random.Random) -> str:
 
 
 def another_decision(piece: str, draw: random.Random) -> str:
-    """A side of a limit, an input that is lost, a correction or a kind of verdict is exchanged."""
-    swaps = {"<=": ">=", ">=": "<=", "assumption=": "remark=", "undetermined=": "remark="}
-    return swaps.get(piece) or ("" if not piece.startswith("Kind.") else "Kind.DEFINITION")
+    """A side of a limit is the other, an input is not lost, a correction or a choice is none."""
+    return {"<=": ">=", ">=": "<=", "assumption=": "remark=", "undetermined=": "remark="}.get(
+        piece, ""
+    )
 
 
 EQUATIONS = [*THESIS.glob("chapter_?.py"), THESIS / "section_2_6.py", *THESIS.glob("appendix_?.py")]
 
 
+TABLES = [*sorted((THESIS / "data").glob("*.csv")), PROJECT / "rockeom/analysis/data/table_a1.csv"]
+
+
 def printed_numbers() -> Iterator[Piece]:
-    for path in sorted((THESIS / "data").glob("*.csv")):
+    for path in TABLES:
         yield from pieces(path, r"(?:^|,)(-?\d[\d.]*)(?=,|$)")
     for path in EQUATIONS:
         yield from pieces(path, r"(?<![\w.\"-])(\d+\.\d+)")
@@ -113,7 +111,7 @@ def printed_numbers() -> Iterator[Piece]:
 
 def units() -> Iterator[Piece]:
     yield from cells("unit")
-    for path in sorted((THESIS / "data").glob("*.csv")):
+    for path in TABLES:
         yield from pieces(path, r"\[([^\]\n]+)\]")
     yield from pieces(THESIS / "notation.py", r'^\w+ = \w+\("?[^,]+, "([^"]+)"')
 
@@ -126,10 +124,16 @@ def verdicts() -> Iterator[Piece]:
         yield from pieces(path, r"\b((?:assumption|undetermined)=)")
 
 
+def thresholds() -> Iterator[Piece]:
+    yield from (one for one in cells("limits") if re.search(r"\d", one.text))
+    for path in sorted((THESIS / "checks").glob("*.py")):
+        yield from pieces(path, r"^[A-Z_]+ = (\d[\d.e-]*)$")
+
+
 CLASSES: dict[str, tuple[Callable[[], Iterator[Piece]], Callable[[str, random.Random], str]]] = {
     "printed number": (printed_numbers, another_digit),
     "unit": (units, another_unit),
-    "threshold": (lambda: (x for x in cells("limits") if re.search(r"\d", x.text)), another_digit),
+    "threshold": (thresholds, another_digit),
     "quotation": (lambda: cells("quotation"), another_letter),
     "verdict": (verdicts, another_decision),
 }
@@ -142,7 +146,7 @@ def drawn(seed: int, number: int) -> Iterator[Change]:
     for n in range(number):
         kind = list(CLASSES)[n % len(CLASSES)]
         piece = draw.choice(there[kind])
-        yield Change(kind, piece.path, piece.start, piece.text, CLASSES[kind][1](piece.text, draw))
+        yield Change(kind, piece, CLASSES[kind][1](piece.text, draw))
 
 
 def fails(copy: Path) -> bool:
@@ -157,10 +161,9 @@ def fails(copy: Path) -> bool:
 
 def noticed(change: Change, copy: Path) -> bool:
     """Whether a test fails in a copy of the project with a change."""
-    path = copy / change.path.relative_to(PROJECT)
-    text = path.read_text(encoding="utf-8")
-    end = change.start + len(change.old)
-    path.write_text(text[: change.start] + change.new + text[end:], encoding="utf-8")
+    (of, start, old), path = change.of, copy / change.of.path.relative_to(PROJECT)
+    text = of.read_text(encoding="utf-8")
+    path.write_text(text[:start] + change.new + text[start + len(old) :], encoding="utf-8")
     failed = fails(copy)
     path.write_text(text, encoding="utf-8")
     return failed
