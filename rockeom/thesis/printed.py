@@ -189,13 +189,11 @@ TABLES = _tables()
 """The printed tables, by number."""
 
 TABLE_2_1 = TABLES["2-1"]
-TABLE_2_3 = TABLES["2-3"]
 TABLE_3_1 = TABLES["3-1"]
 TABLE_4_1 = TABLES["4-1"]
 TABLE_4_2 = TABLES["4-2"]
 TABLE_4_3 = TABLES["4-3"]
 TABLE_4_4 = TABLES["4-4"]
-TABLE_4_5 = TABLES["4-5"]
 TABLE_5_1 = TABLES["5-1"]
 FIGURE_3_3 = TABLES["Figure 3-3"]
 FIGURE_4_29 = TABLES["Figure 4-29"]

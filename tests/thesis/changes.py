@@ -113,7 +113,7 @@ def units() -> Iterator[Piece]:
     yield from cells("unit")
     for path in TABLES:
         yield from pieces(path, r"\[([^\]\n]+)\]")
-    yield from pieces(THESIS / "notation.py", r'^\w+ = \w+\("?[^,]+, "([^"]+)"')
+    yield from pieces(THESIS / "notation.py", r'^(?:\w+ = )?\w+\(r?"[^"]+", (?:\d, \d, )?"([^"]+)"')
 
 
 def verdicts() -> Iterator[Piece]:

@@ -9,7 +9,7 @@ import hashlib
 from dataclasses import fields
 from pathlib import Path
 
-from rockeom.thesis import CHECKS, EQUATIONS, Equation, claim, entry
+from rockeom.thesis import CHECKS, EQUATIONS, NOTATION, Equation, claim, entry
 
 APPROVED = Path(__file__).parent / "data" / "equations.csv"
 
@@ -32,6 +32,10 @@ def listing() -> str:
     for number, one in EQUATIONS.items():
         digest = hashlib.sha256(described(one).encode()).hexdigest()[:12]
         rows.append(f"{number},{claim(one).name.lower()},{digest}\n")
+    symbols = "\n".join(
+        f"{one.symbol} [{one.unit}] {one.chapters}: {one.meaning}" for one in NOTATION
+    )
+    rows.append(f"notation,,{hashlib.sha256(symbols.encode()).hexdigest()[:12]}\n")
     return "".join(rows)
 
 

@@ -1,7 +1,5 @@
 """Statements of the thesis: one rule judges them, and each verdict rests on a number."""
 
-import importlib
-import inspect
 import re
 import unicodedata
 
@@ -10,7 +8,7 @@ import pytest
 
 from rockeom import InputError
 from rockeom.thesis import statements
-from rockeom.thesis.figures import FIGURES, Source
+from rockeom.thesis.figures import FIGURES
 from rockeom.thesis.printed import TABLES
 from rockeom.thesis.statements import STATEMENTS, Verdict
 from rockeom.thesis.statements.statement import (
@@ -164,7 +162,10 @@ def _quoted(words, text):
 def test_every_quotation_stands_in_the_thesis():
     """Or its garbled reading does, where the scan is garbled or has a formula in its notation."""
     text = _folded(shared.path("thesis.txt").read_text(encoding="utf-8"))
-    wrong = [one.words for one in STATEMENTS if not _quoted(one.scan or one.words, text)]
+    quotations = [one.scan or one.words for one in STATEMENTS]
+    cited = r"cells\.(?:caption|elsewhere)\([\d-]+; ([^;]+?)(?:; [^;]+)?\)$"
+    quotations += [m[1] for one in STATEMENTS if (m := re.match(cited, one.function))]
+    wrong = [words for words in quotations if not _quoted(words, text)]
     needless = [one.words for one in STATEMENTS if one.scan and _quoted(one.words, text)]
     assert (wrong, needless) == ([], [])
 
@@ -178,15 +179,11 @@ def test_quotations_are_compared_as_words():
 
 def test_no_error_of_the_text_holds(judgements):
     slips = [one for one in judgements if one.statement.correction]
-    assert [one.statement.words for one in slips if one.verdict is not Verdict.DIFFERS] == []
+    assert {one.verdict for one in slips} == {Verdict.DIFFERS}
 
 
-def test_every_statement_names_its_threshold_its_evidence_and_its_function():
+def test_every_statement_names_its_threshold_its_evidence_and_its_figure():
     for one in STATEMENTS:
-        name, _, arguments = one.function.removesuffix(")").partition("(")
-        module, _, function = name.rpartition(".")
-        find = getattr(importlib.import_module(f"{statements.__name__}.{module}"), function)
-        inspect.signature(find).bind(*filter(None, arguments.split("; ")))
         assert one.words, one.place
         assert one.limits.why, one.words
         assert all(side.name for side in one.evidence)
@@ -200,16 +197,16 @@ def test_tables_that_statements_name_exist():
                 assert name.removeprefix("Table ").partition(",")[0] in TABLES, name
 
 
-def test_figure_in_kind_decides_nothing_by_a_simulation():
+def test_simulation_in_kind_decides_nothing():
     """Its inputs are not those of the thesis: what it shows can be said, not judged."""
     for one in STATEMENTS:
-        simulated = Origin.SIMULATION in (side.origin for side in one.evidence)
-        if one.figure and FIGURES[one.figure].source is Source.IN_KIND and simulated:
+        if any("in kind" in side.name for side in one.evidence):
             assert one.lost, one.words
 
 
 def test_statements_are_selected_by_figure_section_and_table():
     assert {one.figure for one in statements.select("4-20")} == {"4-20"}
+    assert statements.select("table 4-3") == statements.select("Table 4-3")
     assert set(statements.select("4.6")) == {
         one for one in STATEMENTS if one.place.partition(",")[0].startswith("4.6")
     }

@@ -35,21 +35,25 @@ def of_figure(number: str) -> tuple[Statement, ...]:
 def select(*names: str) -> tuple[Statement, ...]:
     """Statements of figures ("4-20"), sections with their parts ("4.9") and tables ("Table 4-2").
 
-    KeyError for a name without statements.
+    Capital letters make no difference. KeyError for a name without statements.
     """
     chosen: list[Statement] = []
     for name in names:
-        of_name = [one for one in STATEMENTS if name == one.figure or _within(one.place, name)]
+        asked = name.casefold()
+        of_name = [one for one in STATEMENTS if asked == one.figure or _within(one.place, asked)]
         if not of_name:
-            raise KeyError(f"no statement of {name!r}")
+            raise KeyError(
+                f"no statement of {name!r}: name a section, 4.8.1, a figure, 4-20, or a table, "
+                "Table 4-2"
+            )
         chosen += [one for one in of_name if one not in chosen]
     return tuple(chosen)
 
 
 def _within(place: str, name: str) -> bool:
     """Whether a place belongs to a section, a table or a figure; "4.9.1" belongs to "4.9"."""
-    parts = [part.strip() for part in place.split(",")]
-    return place == name or any(p == name or p.startswith(f"{name}.") for p in parts)
+    parts = [part.strip() for part in place.casefold().split(",")]
+    return name == place.casefold() or any(p == name or p.startswith(f"{name}.") for p in parts)
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[Verdict, int]:

@@ -5,7 +5,6 @@ import itertools
 import numpy as np
 
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 from rockeom.thesis.statements import statement as st
 from rockeom.thesis.tables import TABLES
 
@@ -67,12 +66,13 @@ def equation(number: str, word: str) -> st.Finding:
     return st.finding(word in meaning, f"{number} is the {meaning}")
 
 
-def figure(number: str, word: str) -> st.Finding:
-    """Whether the title of a figure, or why it is not drawn, has a word in it."""
-    title = FIGURES[number].title if number in FIGURES else NOT_DRAWN[number]
-    return st.finding(word in title, f"{number}: {title}")
+def caption(number: str, words: str, word: str) -> st.Finding:
+    """Whether the caption of a figure has a word in it."""
+    return st.finding(word in words, f'Figure {number} is "{words}"')
 
 
-def elsewhere(number: str, where: str) -> st.Finding:
-    """A number of another place."""
-    return st.finding(float(number), f"{number} {where}")
+def elsewhere(number: str, words: str) -> st.Finding:
+    """A number as the text has it in other words."""
+    if number not in words:
+        raise ValueError(f"no {number} in {words!r}")
+    return st.finding(float(number), f'elsewhere "{words}"')

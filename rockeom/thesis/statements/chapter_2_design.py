@@ -94,15 +94,12 @@ def _far_from_one(beyond: float) -> dict[str, float]:
     }
 
 
-def rules_near_one_from_one_second() -> st.Finding:
-    near_one = [name for name, far in _far_from_one(1.0).items() if far <= 0.1]
-    return st.finding(len(near_one), f"{len(near_one)} of 6: {', '.join(near_one)}")
-
-
-def rules_at_one_from_two_seconds() -> st.Finding:
-    far = _far_from_one(2.0)
+def rules_near_one(beyond: str, share: str) -> st.Finding:
+    """Rules whose term is within a share of one beyond a period [s]."""
+    far = _far_from_one(float(beyond))
+    near_one = [name for name, x in far.items() if x <= float(share)]
     said = ", ".join(f"{name} {x:.2f}" for name, x in far.items())
-    return st.finding(sum(x < 0.02 for x in far.values()), f"off by up to {said}")
+    return st.finding(len(near_one), f"{len(near_one)} of 6; off by up to {said}")
 
 
 def period_term_of_the_flag() -> st.Finding:

@@ -283,14 +283,15 @@ def bunches_of_restitution() -> st.Finding:
 
 
 def matching_with_one_ratio() -> st.Finding:
-    """Largest error of six peaks, of the first, or of their times, of a half-cycle, by r."""
+    """Errors of six peaks, of the first, and of their times, of a half-cycle, with the best r."""
     time, rotation = figures.points()
     peak, at = np.abs(rotation[::2]), time[::2] - figures.release_delay()
-    worst = {}
-    for r in np.arange(0.76, 0.925, 0.01).tolist():
+    errors = {}
+    for r in np.arange(0.78, 0.85, 0.0025).tolist():
         own = identification.swings(figures.housner(r, 14.0), "theta", len(peak))
         sizes = np.abs(np.abs(own.peak) - peak)[1:] / peak[0]
         late = np.abs(own.peak_time - at)[1:] / np.diff(at).mean()
-        worst[r] = 100 * float(max(sizes.max(), late.max()))
-    best = min(worst, key=lambda r: worst[r])
-    return st.finding(worst[best], f"{worst[best]:.0f} % with the best one, r = {best:.2f}")
+        rms = [float(np.sqrt(np.mean(x**2))) for x in (sizes, late)]
+        errors[r] = max(rms), float(max(sizes.max(), late.max()))
+    rms, worst = (100 * np.array([*errors.values()]).min(axis=0)).tolist()
+    return st.ranging([rms, worst], f"{rms:.1f} % (rms) or {worst:.1f} % (largest) with the best r")

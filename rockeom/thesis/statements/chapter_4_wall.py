@@ -142,6 +142,6 @@ def constant_restitution_of_the_wall() -> st.Finding:
     lost = mass * (half**2 + centroid**2) / inertia * (1 - math.cos(2 * math.atan2(half, centroid)))
     return st.finding(
         r,
-        f"{r:.3f}, as in 4.9.2.1; {(1 - lost) ** 2:.3f} follows from B-9 as printed with a height "
-        "of 2.743 m, that of the wall being 2.438 m",
+        f"{r:.3f}; {(1 - lost) ** 2:.3f} follows from B-9 as printed with a height of 2.743 m "
+        "for the wall of 2.438 m",
     )

@@ -45,11 +45,10 @@ def range_of_restitution() -> st.Finding:
 
 def restitution_against_the_peak() -> st.Finding:
     rocking = figures.impacts()
-    peak = np.abs(rocking.peak_before) / figures.ALPHA
-    slope = float(np.polyfit(peak, rocking.energy_ratio, 1)[0])
-    return st.finding(
-        slope, f"by {-0.1 * slope:.2f} from 0.1 alpha_e to upright, by a straight line"
-    )
+    peak, r = np.abs(rocking.peak_before) / figures.ALPHA, rocking.energy_ratio
+    line = identification.fit(lambda r, slope: r + slope * peak, r, {"r": 0.9, "slope": 0.0})
+    low, high = line.interval("slope")
+    return st.ranging([low, high], f"{low:.2f} to {high:.2f} with 95 % confidence")
 
 
 def theoretical_ratio_below_the_mean() -> st.Finding:

@@ -8,6 +8,9 @@ its result. The rule:
 - holds: all that was found lies within the limits;
 - differs: something lies outside, over the whole range of the inputs;
 - open: the range lies on both sides of a limit, or an input is lost.
+
+A range, a share or a mean of more tests than are printed is open. A trend or a difference is judged
+on those that are printed, where they decide it.
 """
 
 from __future__ import annotations
