@@ -629,7 +629,7 @@ def test_pipe_is_refused_at_once(tmp_path, suffix):
 
 
 def test_file_without_an_end_is_given_up(tmp_path, monkeypatch):
-    monkeypatch.setattr("rockeom.motion.readers._LARGEST_FILE", 2**21)
+    monkeypatch.setattr("rockeom.motion.formats.text._LARGEST_FILE", 2**21)
     path = write(tmp_path, "r.txt", b"0 1\n" * (2**20))
     with pytest.raises(InputError, match=r"holds more than 2097152 bytes. Remedy: cut it"):
         GroundMotion.read(path, units="g")

@@ -1,0 +1,1 @@
+"""Files of records, a grammar of a network in a file each."""
