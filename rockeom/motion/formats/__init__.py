@@ -1,1 +1,37 @@
-"""Files of records, a grammar of a network in a file each."""
+"""Files of records as networks give them, a grammar in a module each, recognised by content.
+
+A new format is a module here with `recognises` and `components`, and a line in `GRAMMARS`.
+"""
+
+from rockeom.motion.formats import (
+    afad,
+    bhrc,
+    cesmd,
+    cosmos,
+    cwb,
+    dyna,
+    geonet,
+    knet,
+    renadic,
+    smc,
+    unam,
+    usc,
+)  # fmt: skip
+from rockeom.motion.formats.grammar import Component, Page, checked
+from rockeom.motion.formats.text import Text
+
+GRAMMARS = (dyna, geonet, knet, cosmos, renadic, cesmd, usc, smc, bhrc, cwb, afad, unam)
+"""Grammars in the order in which they are asked; each recognises its own files only."""
+
+
+def read_components(text: Text, gravity: float, stated_peak: bool = True) -> list[Component] | None:
+    """All components of a file of a network; None for a file that no grammar recognises.
+
+    stated_peak : whether a peak that the file states must be that of its values.
+    """
+    page = Page(text)
+    grammar = next((one for one in GRAMMARS if one.recognises(page)), None)
+    if grammar is None:
+        return None
+    found = grammar.components(page, gravity)
+    return [checked(page, one, gravity) if stated_peak else one for one in found]

@@ -1,0 +1,108 @@
+"""COSMOS 1.2 (.V1, .V2, .V2c): text, whole and real numbers, comments and values, each with its format."""
+
+import re
+
+import numpy as np
+
+from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
+from rockeom.motion.formats.text import short
+
+_FIRST = r"\(format v0?1\.\d+ with (\d+) text lines\)"
+_WHOLE = r"^\s*(\d+) integer-header values follow on\s+(\d+) lines, format=\s*\((\d+)I(\d+)\)"
+_REAL = r"^\s*(\d+) real-header values follow on\s+(\d+) lines, format=\s*(\(\S+\))"
+_COMMENTS = r"^\s*(\d+) comment line\(s\) follow"
+_DATA = r"^\s*(\d+)\s+(\S+) pts, approx\s+\S+\s+secs,\s*units=(\S+?)\((\d+)\),\s*format=(\(\S+\))"
+UNITS = {"02": "g", "04": "cm/s2", "4": "cm/s2", "2": "g"}
+"""Units of acceleration by their code."""
+VERTICAL = (400, 401)
+"""Azimuths, by code, of up and down."""
+AZIMUTH, STEP = 53, 61
+"""Places, from 0, of the azimuth among the whole numbers and of the step [ms] among the reals."""
+_SCNL = r"<SCNL>\s*\S+?\.(\w{3})\."
+
+
+def recognises(page: Page) -> bool:
+    return bool(re.search(_FIRST, page.lines[0], re.IGNORECASE))
+
+
+def components(page: Page, gravity: float) -> list[Component]:
+    """All components of a file."""
+    found, first = [], 1
+    while first <= len(page) and any(line.strip() for line in page.lines[first - 1 :]):
+        one, first = _component(page, first, gravity)
+        found.append(one)
+    return found
+
+
+def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
+    """The component that begins at a line, and the line after its end."""
+    texts = int(page.match(first, _FIRST, "the first line of a COSMOS file")[1])
+    after = first + texts
+    header = page.match(after, _WHOLE, "the whole numbers of the header")
+    count, _, per_line, width = map(int, header.groups())
+    whole, after = page.fixed(after + 1, count, [width] * per_line, "whole number of the header")
+    head = page.match(after, _REAL, "the reals of the header")
+    columns = _columns(page, after, head[3])
+    reals, after = page.fixed(after + 1, int(head[1]), columns, "real of the header")
+    lines = range(
+        after + 1, after + 1 + int(page.match(after, _COMMENTS, "the number of comments")[1])
+    )
+    comments = [page.match(n, r"^\s*(\|.*)", "a comment, |")[1] for n in lines]
+    after = lines.stop
+    data = page.match(after, _DATA, "the number, unit and format of the values")
+    if not data[2].lower().startswith("acc"):
+        raise page.error(
+            after,
+            f"this is a record of {data[2]}, not of acceleration",
+            "take the accelerations of it",
+        )
+    unit = UNITS.get(data[4])
+    if unit is None:
+        raise page.error(
+            after,
+            f"the unit is {data[3]} ({data[4]}), and not cm/sec2 (04) or g (02)",
+            "take the record in units, V1 or V2",
+        )
+    count = page.whole(after, data[1], "the number of values")
+    values, after = page.fixed(after + 1, count, _columns(page, after, data[5]), "value")
+    page.match(after, r"^\s*(?:/&|end-of-data)", "the end of the component")
+    return _described(
+        page, first, in_si(values, unit, gravity), unit, whole, reals, comments
+    ), after + 1
+
+
+def _columns(page: Page, line: int, text: str) -> list[int]:
+    columns = fortran(text)
+    if columns is None:
+        raise page.error(line, f"the format is {short(text)}, not such as (8F10.3)")
+    return columns[1]
+
+
+def _described(
+    page: Page,
+    first: int,
+    values: np.ndarray,
+    unit: str,
+    whole: np.ndarray,
+    reals: np.ndarray,
+    comments: list[str],
+) -> Component:
+    """A component with its step, direction, station, event and peak."""
+    dt = float(reals[STEP]) / 1000
+    if not dt > 0:
+        raise page.error(first, f"the step is {reals[STEP]:g} ms in real {STEP + 1} of the header")
+    azimuth = round(whole[AZIMUTH])
+    channel = r"^Sta (?:Cha|Chan)\s*:?\s*(?:\S+?)\s*:\s*(.*?)\s*(?:\(Rcrdr|$)"
+    name = page.match(first + 8, channel, "the channel")[1]
+    is_vertical = azimuth in VERTICAL
+    if code := next((m[1] for text in comments if (m := re.search(_SCNL, text))), None):
+        name, is_vertical = code, code.endswith("Z")
+    peak = None
+    if found := re.search(r"\bMax\s*=\s*(\S+)\s+cm/sec2", page.lines[first + 9], re.IGNORECASE):
+        peak = Peak(found[1], "cm/s2", first + 10)
+    known = 0 <= azimuth <= 360 and not is_vertical
+    return Component(
+        values, dt, name, unit, first, float(azimuth % 360) if known else None, is_vertical,
+        page.match(first + 4, r"\bCode:\s*(\S+)", "the station's code")[1],
+        page.lines[first].strip(), peak,
+    )  # fmt: skip

@@ -1,0 +1,62 @@
+"""DYNA 1.2 (.ASC): ESM, ITACA and AFAD's TADAS; 64 lines "KEY: value", then a value a line."""
+
+import re
+
+from rockeom.motion.formats.grammar import AGAIN, Component, Page, Peak, in_si
+from rockeom.motion.formats.text import short
+
+HEADER = 64
+"""Lines of the header."""
+
+
+def recognises(page: Page) -> bool:
+    return page.lines[0].startswith("EVENT_NAME:")
+
+
+def components(page: Page, gravity: float) -> list[Component]:
+    """The one component of a file."""
+    lines: dict[str, tuple[int, str]] = {}
+    for n in range(1, HEADER + 1):
+        key, value = page.match(
+            n, r"^([A-Z][^:]*):(.*)$", "a line KEY: value of the header"
+        ).groups()
+        if key in lines:
+            raise page.error(n, f"{key} stands in line {lines[key][0]} already")
+        lines[key] = n, value.strip()
+
+    def stated(key: str) -> tuple[int, str]:
+        if key not in lines:
+            raise page.error(None, f"the header of {HEADER} lines has no {key}")
+        return lines[key]
+
+    n, version = stated("HEADER_FORMAT")
+    if version != "DYNA 1.2":
+        raise page.error(n, f"the format is {short(version)}, and DYNA 1.2 is read")
+    n, kind = stated("DATA_TYPE")
+    if kind.upper() != "ACCELERATION":
+        raise page.error(n, f"this is {kind.lower()}, not acceleration", "take the file of ACC")
+    n, unit = stated("UNITS")
+    if unit != "cm/s^2":
+        raise page.error(n, f"the unit is {short(unit)}, and cm/s^2 belongs to an acceleration")
+    dt = page.positive(*stated("SAMPLING_INTERVAL_S"), "SAMPLING_INTERVAL_S")
+    count = page.whole(*stated("NDATA"), "NDATA")
+    first = HEADER + 1
+    fields = [
+        page.line(n, f"sample {n - HEADER} of {count}").strip() for n in range(first, first + count)
+    ]
+    values = page.numbers(fields, list(range(first, first + count)), "sample")
+    page.ends(first + count)
+    name = stated("STREAM")[1]
+    line, peak = stated("PGA_CM/S^2")
+    azimuth = {"N": 0.0, "E": 90.0}.get(name[-1:].upper())
+    if not re.fullmatch(r"[A-Z]{2}[A-Z0-9]", name):
+        raise page.error(
+            stated("STREAM")[0], f"the component is {short(name)}, not a code such as HNE", AGAIN
+        )
+    return [
+        Component(
+            in_si(values, unit, gravity), dt, name, unit, 1, azimuth, name[-1] == "Z",
+            f"{stated('NETWORK')[1]}.{stated('STATION_CODE')[1]}", stated("EVENT_NAME")[1],
+            Peak(peak, unit, line) if peak else None,
+        )
+    ]  # fmt: skip

@@ -1,0 +1,259 @@
+"""What the grammars of all networks share: lines by number, fixed columns, components, peaks.
+
+A grammar is a module of this folder with two functions: `recognises`, whether the first lines of a
+file are its own, and `components`, all components of such a file in SI units. It reads each line
+where it must be and refuses any other with the line, what was expected there, and a remedy.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy as np
+
+from rockeom.motion.formats.text import Text, looks_numeric, number_of, numbers_of, short
+from rockeom.motion.units import factor
+from rockeom.numbers.checks import InputError
+
+AGAIN = "download the file again, or export it in this format"
+"""Remedy where a line is not what the format has there."""
+
+
+class Peak(NamedTuple):
+    """Peak that a header states: as it is printed, its unit, and its line.
+
+    digit : unit of the last digit of the values, where they have fewer digits than the peak.
+    """
+
+    text: str
+    unit: str
+    line: int
+    digit: float = 0.0
+
+
+@dataclass(frozen=True)
+class Component:
+    """Component of a file of a network.
+
+    Parameters
+    ----------
+    acceleration : ndarray
+        Accelerations (n,) [m/s2].
+    dt : float
+        Time step [s].
+    name : str
+        Direction as the file has it, such as "N28W", "E-W" or "Up".
+    unit : str
+        Unit of the accelerations in the file.
+    line : int
+        Line at which the component begins.
+    azimuth : float, optional
+        Azimuth, clockwise from north [degrees]; None where the file gives none.
+    is_vertical : bool, optional
+        Whether the file says that it is vertical.
+    station : str, optional
+        Station, as the file names it.
+    event : str, optional
+        Earthquake, as the file names it.
+    peak : Peak, optional
+        Peak that the header states of these accelerations.
+    """
+
+    acceleration: np.ndarray
+    dt: float
+    name: str
+    unit: str
+    line: int
+    azimuth: float | None = None
+    is_vertical: bool = False
+    station: str = ""
+    event: str = ""
+    peak: Peak | None = None
+
+    def directed(self) -> "Component":
+        """With azimuth and direction by its name, where the file has no field of its own."""
+        azimuth, is_vertical = direction(self.name)
+        return replace(self, azimuth=azimuth, is_vertical=is_vertical)
+
+
+_UP = re.compile(r"(?:up|down|dwn|dn|u-?d|u|v|z|vert(?:ical)?|ver)\d*", re.IGNORECASE)
+_BEARING = re.compile(r"([NS])\s*(\d{1,2})\s*([EW])", re.IGNORECASE)
+_DEGREES = re.compile(r"(\d{1,3})\s*(?:deg\w*|°)?", re.IGNORECASE)
+_CARDINAL = {
+    "n": 0.0,
+    "n-s": 0.0,
+    "ns": 0.0,
+    "s": 180.0,
+    "e": 90.0,
+    "e-w": 90.0,
+    "ew": 90.0,
+    "w": 270.0,
+}
+
+
+def direction(name: str) -> tuple[float | None, bool]:
+    """Azimuth [degrees] of a direction, if it has one, and whether it is vertical."""
+    word = name.strip()
+    if _UP.fullmatch(word):
+        return None, True
+    if bearing := _BEARING.fullmatch(word):
+        north, angle, east = bearing[1].upper() == "N", float(bearing[2]), bearing[3].upper() == "E"
+        return (
+            angle if east else -angle
+        ) % 360 if north else 180 - angle if east else 180 + angle, False
+    if (degrees := _DEGREES.fullmatch(word)) and int(degrees[1]) <= 360:
+        return float(degrees[1]) % 360, False
+    return _CARDINAL.get(word.lower()), False
+
+
+class Page:
+    """Lines of a text file by their numbers, from 1 on."""
+
+    def __init__(self, text: Text) -> None:
+        self.path = text.path
+        self.lines = [line.rstrip("\n") for _, line in text.lines()]
+
+    def __len__(self) -> int:
+        return len(self.lines)
+
+    def error(self, line: int | None, what: str, remedy: str = AGAIN) -> InputError:
+        """The error of a line."""
+        return InputError.at(self.path, line, what, remedy)
+
+    def line(self, number: int, what: str) -> str:
+        """A line; `what` names it where the file ends before it."""
+        if number > len(self.lines):
+            raise self.error(
+                len(self.lines), f"the file ends here, where {what} is expected in line {number}"
+            )
+        return self.lines[number - 1]
+
+    def match(self, number: int, pattern: str, what: str) -> re.Match[str]:
+        """What a pattern finds in a line, where `what` stands."""
+        text = self.line(number, what)
+        found = re.search(pattern, text, re.IGNORECASE)
+        if not found:
+            raise self.error(number, f"{what} is expected here, and not {short(text)}")
+        return found
+
+    def find(
+        self, pattern: str, what: str, first: int = 1, last: int | None = None
+    ) -> tuple[int, re.Match[str]]:
+        """The one line among some in which a pattern is found, and what it finds."""
+        last = len(self.lines) if last is None else min(last, len(self.lines))
+        found = [
+            (n, m)
+            for n in range(first, last + 1)
+            if (m := re.search(pattern, self.lines[n - 1], re.IGNORECASE))
+        ]
+        if len(found) != 1:
+            there = f"in {len(found)} lines" if found else "in none"
+            raise self.error(
+                found[1][0] if found else None,
+                f"{what} is expected in one line of {first} to {last}, and is {there}",
+            )
+        return found[0]
+
+    def whole(self, number: int, text: str, what: str) -> int:
+        """A positive whole number of a line."""
+        if not (text.strip().isascii() and text.strip().isdecimal() and int(text) > 0):
+            raise self.error(number, f"{what} is {short(text)}, not a positive whole number")
+        return int(text)
+
+    def positive(self, number: int, text: str, what: str) -> float:
+        """A positive number of a line."""
+        value = number_of(text.strip(), self.path, number, what)
+        if value <= 0:
+            raise self.error(number, f"{what} is {short(text)}, not positive")
+        return value
+
+    def fixed(
+        self, first: int, count: int, columns: Sequence[int], what: str, blank: int = 0
+    ) -> tuple[np.ndarray, int]:
+        """Numbers in fixed columns, `columns` wide, line by line, and the line after the last.
+
+        count : how many numbers. blank : blanks at the right of each. The last line has what is
+        left. A field that is empty, holds a tab or is cut short is refused.
+        """
+        fields, lines = [], []
+        number = first
+        while len(fields) < count:
+            text = self.line(number, f"{what} {len(fields) + 1} of {count}").rstrip(" ")
+            here = columns[: count - len(fields)]
+            width = sum(here) - blank
+            if len(text) != width or "\t" in text:
+                raise self.error(
+                    number,
+                    f"{len(text)} characters, where {len(here)} {what}s in fixed columns have {width}"
+                    + (", and a tab" if "\t" in text else ""),
+                )
+            start = 0
+            for wide in here:
+                fields.append(text[start : start + wide].strip(" "))
+                lines.append(number)
+                start += wide
+            number += 1
+        return self.numbers(fields, lines, what), number
+
+    def numbers(self, fields: list[str], lines: list[int], what: str) -> np.ndarray:
+        """The numbers (n,) of fields, each of a line."""
+        values = numbers_of(fields)
+        if values is None:
+            n = next(i for i, field in enumerate(fields) if not looks_numeric(field))
+            number_of(fields[n], self.path, lines[n], f"{what} {n + 1}")
+        return np.array(values)
+
+    def ends(self, number: int) -> None:
+        """Refuse anything but blank lines from a line on."""
+        for n in range(number, len(self.lines) + 1):
+            if self.lines[n - 1].strip():
+                raise self.error(
+                    n, f"{short(self.lines[n - 1])} follows the last value of the record",
+                    "give a file of one record, or correct the number of values in its header",
+                )  # fmt: skip
+
+
+def fortran(text: str) -> tuple[int, list[int]] | None:
+    """Columns of a FORTRAN format such as "(8F10.3)" or "3f10.2": (a line's fields, widths)."""
+    found = re.fullmatch(
+        r"\(?\s*(\d*)\s*(?:[fegd]|1p\d*e)\s*(\d+)\.\d+\s*\)?", text.strip(), re.IGNORECASE
+    )
+    if not found or int(found[1] or 1) == 0 or int(found[2]) == 0:
+        return None
+    count = int(found[1] or 1)
+    return count, [int(found[2])] * count
+
+
+def checked(page: Page, one: Component, gravity: float) -> Component:
+    """A component whose largest acceleration is the stated one; InputError else.
+
+    Half a unit of the last printed digit is allowed.
+    """
+    if one.peak is None:
+        return one
+    text, unit, line, digit = one.peak
+    stated = abs(number_of(text, page.path, line, "the stated peak"))
+    to_si = factor(unit, gravity)
+    last = 10.0 ** int(Decimal(text.lower().replace("d", "e")).as_tuple().exponent)
+    own = float(np.abs(one.acceleration).max()) / to_si
+    if abs(own - stated) > 0.5 * max(last, digit) + 1e-9 * stated:
+        raise page.error(
+            line,
+            f"the header states a peak of {text} {unit} for {one.name}, and the values reach {own:.6g}",
+            "take the file again, or say stated_peak=False to read it all the same",
+        )
+    return one
+
+
+def in_si(values: np.ndarray, unit: str, gravity: float) -> np.ndarray:
+    """Accelerations [m/s2] of values in a unit."""
+    return values * factor(unit, gravity)
+
+
+def each_component(page: Page, begins: str) -> Iterator[tuple[int, int]]:
+    """First and last line of each component, all of which begin with such a line."""
+    starts = [n for n, line in enumerate(page.lines, 1) if re.match(begins, line, re.IGNORECASE)]
+    for first, after in zip(starts, [*starts[1:], len(page) + 1], strict=True):
+        yield first, after - 1

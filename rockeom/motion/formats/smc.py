@@ -1,0 +1,61 @@
+"""USGS, SMC (.smc): 11 lines of text, 48 whole numbers, 50 reals, comments, values of 10 characters."""
+
+from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
+from rockeom.motion.formats.text import short
+
+KINDS = {
+    "1": "uncorrected",
+    "2": "corrected acceleration",
+    "3": "velocity",
+    "4": "displacement",
+    "5": "response spectra",
+}
+TEXT, WHOLE, REALS = 11, 6, 10
+"""Lines of each part of the header."""
+NONE = 1.0e38
+"""From here on a real of the header says that there is none."""
+
+
+def recognises(page: Page) -> bool:
+    return (
+        page.lines[0][:1] in KINDS and page.lines[0][1:2] == " " and page.lines[1].strip() in ("*",)
+    ) or (
+        len(page) > TEXT
+        and page.lines[0][:2].strip() in KINDS
+        and page.lines[5].startswith("station =")
+    )
+
+
+def components(page: Page, gravity: float) -> list[Component]:
+    """The one component of a file."""
+    kind = KINDS[page.lines[0].strip()[0]]
+    if "acceler" not in page.lines[0].lower():
+        raise page.error(
+            1,
+            f"this is {kind}, not acceleration: {short(page.lines[0])}",
+            "take the accelerations of it",
+        )
+    whole, after = page.fixed(TEXT + 1, 8 * WHOLE, [10] * 8, "whole number of the header")
+    reals, after = page.fixed(after, 5 * REALS, [15] * 5, "real of the header")
+    comments, count = round(whole[15]), round(whole[16])
+    if comments < 0 or count < 1:
+        raise page.error(TEXT + 3, f"{comments} comments and {count} values are stated")
+    for n in range(after, after + comments):
+        page.match(n, r"^\|", "a comment, |")
+    values, after = page.fixed(after + comments, count, [10] * 8, "value")
+    page.ends(after)
+    station, name = page.match(
+        6, r"^station\s*=\s*(.*?)\s*component=\s*(\S+)", "station and component"
+    ).groups()
+    peak = page.match(7, r"\bpk\s*=\s*(\S+)", "the peak")[1]
+    rate = reals[1]
+    if not 0 < rate < NONE:
+        raise page.error(TEXT + WHOLE + 1, f"{rate:g} samples a second")
+    is_vertical = round(whole[12]) in (0, 180)
+    return [
+        Component(
+            in_si(values, "cm/s2", gravity), 1 / float(rate), name, "cm/s2", 1,
+            None if is_vertical else float(whole[13]) % 360, is_vertical, station,
+            page.lines[3].strip(), Peak(peak, "cm/s2", 7),
+        )
+    ]  # fmt: skip

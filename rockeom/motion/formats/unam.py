@@ -1,0 +1,64 @@
+"""UNAM, Mexico, the standard file 2.0: a header of 109 lines, columns of the channels in gal."""
+
+from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
+from rockeom.motion.formats.text import short
+
+
+def recognises(page: Page) -> bool:
+    return any(line.startswith("ARCHIVO ESTANDAR DE ACELERACION") for line in page.lines[:10])
+
+
+def components(page: Page, gravity: float) -> list[Component]:
+    """All components of a file."""
+    head = next(
+        (n for n, line in enumerate(page.lines, 1) if line.startswith("DATOS DE ACELERACION:")),
+        None,
+    )
+    if head is None:
+        raise page.error(None, "no line DATOS DE ACELERACION: in front of the values")
+
+    def stated(label: str) -> tuple[int, str]:
+        n, found = page.find(rf"^{label}\s*:\s*(.*?)\s*$", label, 1, head)
+        return n, found[1]
+
+    def each(label: str) -> tuple[int, list[str]]:
+        n, text = stated(label)
+        return n, [part.strip() for part in text.removeprefix("/").split("/")]
+
+    n, unit = stated("UNIDADES DE LOS DATOS")
+    if not unit.startswith("Gal"):
+        raise page.error(n, f"the unit is {short(unit)}, not Gal")
+    line, names = each(r"ORIENTACION C1-C6 \(rumbo;orientacion\)")
+    fields = {
+        "steps": each(r"INTERVALO DE MUESTREO, C1-C6 \(s\)"),
+        "counts": each("NUM\\. TOTAL DE MUESTRAS, C1-C6"),
+        "peaks": each(r"ACEL\. MAX\.\(Gal\), C1-C6"),
+    }
+    for n, values in fields.values():
+        if len(values) != len(names):
+            raise page.error(n, f"{len(values)} values for {len(names)} channels of line {line}")
+    n, form = stated(r"FORMATO DATOS \(FORTRAN,10 campos/dato\)")
+    columns = fortran(form)
+    if columns is None or columns[0] != len(names):
+        raise page.error(n, f"the format is {short(form)}, for {len(names)} channels")
+    if len(set(fields["steps"][1])) > 1 or len(set(fields["counts"][1])) > 1:
+        raise page.error(
+            fields["steps"][0], "the channels have different steps or numbers of values"
+        )
+    dt = page.positive(fields["steps"][0], fields["steps"][1][0], "the step")
+    count = page.whole(fields["counts"][0], fields["counts"][1][0], "the number of values")
+    if page.match(head + 3, r"^\s*(.*?)\s*$", "the directions")[1].split() != names:
+        raise page.error(
+            head + 3, f"the directions are not those of line {line}, {', '.join(names)}"
+        )
+    table, after = page.fixed(head + 5, count * len(names), columns[1], "value")
+    page.ends(after)
+    n, peaks = fields["peaks"]
+    station, event = stated("CLAVE DE LA ESTACION")[1], stated(r"FECHA DEL SISMO \[GMT\]")[1]
+    return [
+        Component(
+            in_si(column, "gal", gravity), dt, name, "gal", 1, station=station, event=event,
+            peak=Peak(peak, "gal", n),
+        ).directed()
+        for name, peak, column in zip(names, peaks, table.reshape(-1, len(names)).T, strict=True)
+    ]  # fmt: skip
