@@ -6,93 +6,78 @@ their number, step, unit and FORTRAN format, in a V2 velocities and displacement
 
 import re
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
+import numpy as np
+
+from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, each_until, in_si
 from rockeom.motion.formats.text import short
 
-_END = r"^/&"
-_ACCELERATION = (
-    r"^\s*(\d+)\s+(?:points of accel data equally spaced at\s+(\S+)\s+sec, in\s+(\S+?)\.?\s+|"
-    r"accelerogram points at\s+(\S+)\s+pts/sec in units of\s+(\S+?)\s*\.\s+format:\s*)(\(\S+\))"
+_FIRST = r"uncorrected accelerogram data|corrected accelerogram\s+\S+\s+chan"
+_RAW = (
+    r"^\s*(\d+) accelerogram points at\s+(\S+) pts/sec in units of\s+(\S+?)\s*\.\s+"
+    r"format:\s*(\(\S+\))"
 )
-_OTHER = r"^\s*(\d+)\s+points of (?:veloc|displ) data .*(\(\S+\))"
+_BLOCK = (
+    r"^\s*(\d+) points of (accel|veloc|displ) data equally spaced at\s+(\S+) sec, "
+    r"in (\S+?)\.?\s+(\(\S+\))"
+)
+BLOCKS = {"accel": "cm/sec2", "veloc": "cm/sec", "displ": "cm"}
+"""Blocks of values in a V2 and their units."""
 
 
 def recognises(page: Page) -> bool:
-    first = page.lines[0].lower()
-    others = ("renadic", "mms", "format v01")
-    return (
-        first.startswith("uncorrected accelerogram data")
-        or bool(re.match(r"corrected accelerogram\s+\S+\s+chan", first))
-    ) and not any(word in line.lower() for line in page.lines[:13] for word in others)
+    head = "\n".join(page.lines[:13]).upper()
+    return bool(re.match(_FIRST, page.lines[0], re.IGNORECASE)) and "RENADIC" not in head
 
 
 def components(page: Page, gravity: float) -> list[Component]:
     """All components of a file."""
-    found, first = [], 1
-    while first <= len(page) and any(line.strip() for line in page.lines[first - 1 :]):
-        one, first = _component(page, first, gravity)
-        found.append(one)
-    return found
+    return each_until(page, lambda first: _component(page, first, gravity))
 
 
 def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     """The component that begins at a line, and the line after its end."""
-    is_raw = page.lines[first - 1].lower().startswith("un")
-    end = next((n for n in range(first, len(page) + 1) if re.match(_END, page.lines[n - 1])), None)
-    if end is None:
-        raise page.error(len(page), 'the component has no line "/&" at its end')
-    channel, _ = page.find(r"^Chan\s+\d+:", "the channel, Chan  1: N", first, min(first + 12, end))
-    name = page.match(channel, r"^Chan\s+\d+:\s*(.*?)\s*(?:\(.*)?$", "the channel")[1]
-    n, data = page.find(
-        _ACCELERATION, "the number, step and format of the accelerations", first, end
+    kind = page.match(first, rf"^(?:{_FIRST})", "the first line of a component")[0]
+    channel, found = page.find(
+        r"^Chan\s+\d+:\s*(.*?)\s*(?:\(.*)?$", "the channel", first + 5, first + 8
     )
-    count = page.whole(n, data[1], "the number of values")
-    dt = (
-        page.positive(n, data[2], "the step")
-        if data[2]
-        else 1 / page.positive(n, data[4], "the rate")
-    )
-    unit = "cm/s2" if data[3] and data[3].lower().startswith("cm/sec") else (data[5] or data[3])
-    if unit not in ("cm/s2", "g"):
-        raise page.error(n, f"the unit is {short(unit)}, not cm/sec2 or g")
-    after = n
-    values = None
-    for block in ("accelerations", *(() if is_raw else ("velocities", "displacements"))):
-        form = (
-            data[6]
-            if values is None
-            else page.match(after, _OTHER, f"the number and format of the {block}")[2]
-        )
-        columns = fortran(form)
-        if columns is None:
-            raise page.error(after, f"the format is {short(form)}, not such as (8f10.6)")
-        numbers, after = page.fixed(after + 1, count, columns[1], "value")
-        values = numbers if values is None else values
-    if after != end:
-        raise page.error(after, f"{short(page.lines[after - 1])} stands where the component ends")
-    assert values is not None
-    station = (
-        page.match(first + 4, r"^Station No\.?\s*(\S+)", "the station")[1] if not is_raw else ""
-    )
-    return (
-        Component(
-            in_si(values, unit, gravity), dt, name, unit, first, station=station or _station(page, first, end),
-            event=page.lines[first + (1 if is_raw else 2) - 1].strip(), peak=_peak(page, first, n, is_raw),
-        ).directed(),
-        end + 1,
+    station = page.find(r"^Station No\.?\s*(\S+)", "the station", first, first + 8)[1][1]
+    if kind.lower().startswith("un"):
+        values, unit, dt, after, peak = _raw(page, first)
+    else:
+        values, unit, dt, after, peak = _corrected(page, first)
+    page.match(after, r"^/&", "the end of the component")
+    component = Component(
+        in_si(values, unit, gravity), dt, found[1], unit, first, station=station,
+        event=page.lines[channel].strip(), peak=peak,
     )  # fmt: skip
+    return component.directed(), after + 1
 
 
-def _station(page: Page, first: int, end: int) -> str:
-    return page.find(r"^Station No\.?\s*(\S+)", "the station", first, min(first + 10, end))[1][1]
+def _raw(page: Page, first: int) -> tuple[np.ndarray, str, float, int, Peak]:
+    """Values of a V1, their unit and step, the line after them, and the stated peak."""
+    n, head = page.find(_RAW, "number, rate, unit and format of the values", first, first + 60)
+    if head[3] != "g":
+        raise page.error(n, f"the unit is {short(head[3])}, not g")
+    count = page.whole(n, head[1], "the number of values")
+    dt = 1 / page.positive(n, head[2], "the rate")
+    values, after = page.fixed(n + 1, count, columns_of(page, n, head[4]), "value")
+    line, peak = page.find(r"\bMax\s*=\s*(\S+)\s*g\b", "the peak", first, n)
+    return values, "g", dt, after, Peak(peak[1], "g", line)
 
 
-def _peak(page: Page, first: int, last: int, is_raw: bool) -> Peak:
-    """The peak of the accelerations themselves; in a corrected file that of the raw ones is another."""
-    pattern, unit = (
-        (r"(?<!Un)\bMax\s*=\s*(\S+)\s*g\b", "g")
-        if is_raw
-        else (r"^Peak acceleration\s*=\s*(\S+)\s+cm/sec", "cm/s2")
-    )
-    n, found = page.find(pattern, "the peak acceleration", first, last)
-    return Peak(found[1], unit, n)
+def _corrected(page: Page, first: int) -> tuple[np.ndarray, str, float, int, Peak]:
+    """The same of a V2; velocities and displacements are read and left."""
+    after = n = page.find(_BLOCK, "number, step, unit and format of the values", first, first + 60)[
+        0
+    ]
+    blocks = []
+    for kind, unit in BLOCKS.items():
+        head = page.match(after, _BLOCK, f"number, step and format of {kind}")
+        if (head[2].lower(), head[4].lower()) != (kind, unit):
+            raise page.error(after, f"{head[2]} in {head[4]}, where {kind} in {unit} is expected")
+        count = page.whole(after, head[1], "the number of values")
+        block, after = page.fixed(after + 1, count, columns_of(page, after, head[5]), "value")
+        blocks.append(block)
+    dt = page.positive(n, page.match(n, _BLOCK, "the step")[3], "the step")
+    line, peak = page.find(r"^Peak acceleration\s*=\s*(\S+)\s+cm/sec", "the peak", first, n)
+    return blocks[0], "cm/s2", dt, after, Peak(peak[1], "cm/s2", line)

@@ -4,8 +4,7 @@ import re
 
 import numpy as np
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
-from rockeom.motion.formats.text import short
+from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, each_until, in_si
 
 _FIRST = r"\(format v0?1\.\d+ with (\d+) text lines\)"
 _WHOLE = r"^\s*(\d+) integer-header values follow on\s+(\d+) lines, format=\s*\((\d+)I(\d+)\)"
@@ -27,11 +26,7 @@ def recognises(page: Page) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """All components of a file."""
-    found, first = [], 1
-    while first <= len(page) and any(line.strip() for line in page.lines[first - 1 :]):
-        one, first = _component(page, first, gravity)
-        found.append(one)
-    return found
+    return each_until(page, lambda first: _component(page, first, gravity))
 
 
 def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
@@ -42,7 +37,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     count, _, per_line, width = map(int, header.groups())
     whole, after = page.fixed(after + 1, count, [width] * per_line, "whole number of the header")
     head = page.match(after, _REAL, "the reals of the header")
-    columns = _columns(page, after, head[3])
+    columns = columns_of(page, after, head[3])
     reals, after = page.fixed(after + 1, int(head[1]), columns, "real of the header")
     lines = range(
         after + 1, after + 1 + int(page.match(after, _COMMENTS, "the number of comments")[1])
@@ -64,18 +59,11 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
             "take the record in units, V1 or V2",
         )
     count = page.whole(after, data[1], "the number of values")
-    values, after = page.fixed(after + 1, count, _columns(page, after, data[5]), "value")
+    values, after = page.fixed(after + 1, count, columns_of(page, after, data[5]), "value")
     page.match(after, r"^\s*(?:/&|end-of-data)", "the end of the component")
     return _described(
         page, first, in_si(values, unit, gravity), unit, whole, reals, comments
     ), after + 1
-
-
-def _columns(page: Page, line: int, text: str) -> list[int]:
-    columns = fortran(text)
-    if columns is None:
-        raise page.error(line, f"the format is {short(text)}, not such as (8F10.3)")
-    return columns[1]
 
 
 def _described(

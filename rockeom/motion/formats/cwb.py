@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
+from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
 from rockeom.motion.formats.text import number_of, short
 
 NAMES = {"U": (None, True), "N": (0.0, False), "E": (90.0, False)}
@@ -31,12 +31,12 @@ def components(page: Page, gravity: float) -> list[Component]:
     )
     if sorted(order.groups()) != ["E", "N", "U"]:
         raise page.error(order_line, f"the columns are {', '.join(order.groups())}")
-    columns = fortran(page.match(last, r"^#Data:\s*(\S+)", "the format")[1])
-    if columns is None or columns[0] != 4:
+    columns = columns_of(page, last, page.match(last, r"^#Data:\s*(\S+)", "the format")[1])
+    if len(columns) != 4:
         raise page.error(last, f"the format is {short(page.lines[last - 1])}, not such as 4F10.3")
     hertz = page.positive(*rate, "the sample rate")
     count = round(hertz * page.positive(*length, "the length"))
-    table, after = page.fixed(last + 1, 4 * count, columns[1], "number")
+    table, after = page.fixed(last + 1, 4 * count, columns, "number")
     page.ends(after)
     table = table.reshape(-1, 4)
     off = np.abs(table[:, 0] - table[0, 0] - np.arange(count) / hertz)

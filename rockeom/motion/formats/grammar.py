@@ -6,7 +6,7 @@ where it must be and refuses any other with the line, what was expected there, a
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import NamedTuple
@@ -215,15 +215,15 @@ class Page:
                 )  # fmt: skip
 
 
-def fortran(text: str) -> tuple[int, list[int]] | None:
-    """Columns of a FORTRAN format such as "(8F10.3)" or "3f10.2": (a line's fields, widths)."""
-    found = re.fullmatch(
-        r"\(?\s*(\d*)\s*(?:[fegd]|1p\d*e)\s*(\d+)\.\d+\s*\)?", text.strip(), re.IGNORECASE
-    )
-    if not found or int(found[1] or 1) == 0 or int(found[2]) == 0:
-        return None
-    count = int(found[1] or 1)
-    return count, [int(found[2])] * count
+_FORTRAN = re.compile(r"\(?(\d*)(?:[fegd]|1p\d*e)(\d+)\.\d+\)?", re.IGNORECASE)
+
+
+def columns_of(page: Page, line: int, text: str) -> list[int]:
+    """Widths of the columns of a FORTRAN format such as "(8F10.3)", which a line states."""
+    found = _FORTRAN.fullmatch(text.strip())
+    if not found or not 0 < int(found[2]) < 100 or not 0 < int(found[1] or 1) < 1000:
+        raise page.error(line, f"the format is {short(text)}, not such as (8F10.3)")
+    return [int(found[2])] * int(found[1] or 1)
 
 
 def checked(page: Page, one: Component, gravity: float) -> Component:
@@ -257,3 +257,12 @@ def each_component(page: Page, begins: str) -> Iterator[tuple[int, int]]:
     starts = [n for n, line in enumerate(page.lines, 1) if re.match(begins, line, re.IGNORECASE)]
     for first, after in zip(starts, [*starts[1:], len(page) + 1], strict=True):
         yield first, after - 1
+
+
+def each_until(page: Page, read: Callable[[int], tuple[Component, int]]) -> list[Component]:
+    """All components of a file, each read from a line on, up to the line after its end."""
+    found, first = [], 1
+    while any(line.strip() for line in page.lines[first - 1 :]):
+        one, first = read(first)
+        found.append(one)
+    return found

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
+from rockeom.motion.formats.grammar import Component, Page, Peak, each_until, in_si
 from rockeom.motion.formats.text import short
 
 TEXT = 13
@@ -17,11 +17,7 @@ def recognises(page: Page) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """All components of a file."""
-    found, first = [], 1
-    while first <= len(page) and any(line.strip() for line in page.lines[first - 1 :]):
-        one, first = _component(page, first, gravity)
-        found.append(one)
-    return found
+    return each_until(page, lambda first: _component(page, first, gravity))
 
 
 def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:

@@ -1,6 +1,6 @@
 """UNAM, Mexico, the standard file 2.0: a header of 109 lines, columns of the channels in gal."""
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, fortran, in_si
+from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
 from rockeom.motion.formats.text import short
 
 
@@ -38,8 +38,8 @@ def components(page: Page, gravity: float) -> list[Component]:
         if len(values) != len(names):
             raise page.error(n, f"{len(values)} values for {len(names)} channels of line {line}")
     n, form = stated(r"FORMATO DATOS \(FORTRAN,10 campos/dato\)")
-    columns = fortran(form)
-    if columns is None or columns[0] != len(names):
+    columns = columns_of(page, n, form)
+    if len(columns) != len(names):
         raise page.error(n, f"the format is {short(form)}, for {len(names)} channels")
     if len(set(fields["steps"][1])) > 1 or len(set(fields["counts"][1])) > 1:
         raise page.error(
@@ -51,7 +51,9 @@ def components(page: Page, gravity: float) -> list[Component]:
         raise page.error(
             head + 3, f"the directions are not those of line {line}, {', '.join(names)}"
         )
-    table, after = page.fixed(head + 5, count * len(names), columns[1], "value")
+    table, after = page.fixed(head + 5, count * len(names), columns, "value")
+    while after <= len(page) and page.lines[after - 1].strip():  # more rows than the header counts
+        _, after = page.fixed(after, len(names), columns, "value")
     page.ends(after)
     n, peaks = fields["peaks"]
     station, event = stated("CLAVE DE LA ESTACION")[1], stated(r"FECHA DEL SISMO \[GMT\]")[1]
