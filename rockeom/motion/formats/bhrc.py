@@ -35,5 +35,6 @@ def _component(page: Page, first: int, last: int, gravity: float) -> Component:
     azimuth = {"L": float(station[2]), "T": float(station[3])}.get(name)
     dt = page.positive(first + 10, points[2], "the duration") / count
     return Component(
-        in_si(values, "g/10", gravity), dt, name, "g/10", first, azimuth, name == "V", station[1], page.lines[first + 1].strip(),
+        in_si(values, "g/10", gravity), dt, name, "g/10", first, azimuth, name == "V",
+        station[1], page.lines[first + 1].strip(),
     )  # fmt: skip

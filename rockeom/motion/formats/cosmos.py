@@ -1,4 +1,4 @@
-"""COSMOS 1.2 (.V1, .V2, .V2c): text, whole and real numbers, comments and values, each with its format."""
+"""COSMOS 1.2 (.V1, .V2, .V2c): text, whole and real numbers, comments, values, and their formats."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""CWB and CWA, Taiwan, free field (.dat): columns of time, U, N and E, ten characters each, in gal."""
+"""CWB and CWA, Taiwan, free field (.dat): columns of time, U, N and E in gal."""
 
 import numpy as np
 
@@ -50,8 +50,8 @@ def components(page: Page, gravity: float) -> list[Component]:
     event = page.find(r"^#Origin Time.*?:\s*(\S+)", "the origin time", 1, last)[1][1]
     return [
         Component(
-            in_si(table[:, 1 + i], "gal", gravity), 1 / hertz, name, "gal", 1, *NAMES[name], station,
-            event, _peak(page, name, last),
+            in_si(table[:, 1 + i], "gal", gravity), 1 / hertz, name, "gal", 1, *NAMES[name],
+            station, event, _peak(page, name, last),
         )
         for i, name in enumerate(order.groups())
     ]  # fmt: skip

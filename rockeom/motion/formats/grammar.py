@@ -177,17 +177,19 @@ class Page:
         count : how many numbers. blank : blanks at the right of each. The last line has what is
         left. A field that is empty, holds a tab or is cut short is refused.
         """
-        fields, lines = [], []
+        fields: list[str] = []
+        lines: list[int] = []
         number = first
         while len(fields) < count:
             text = self.line(number, f"{what} {len(fields) + 1} of {count}").rstrip(" ")
             here = columns[: count - len(fields)]
             width = sum(here) - blank
             if len(text) != width or "\t" in text:
+                tab = ", and a tab" if "\t" in text else ""
                 raise self.error(
                     number,
-                    f"{len(text)} characters, where {len(here)} {what}s in fixed columns have {width}"
-                    + (", and a tab" if "\t" in text else ""),
+                    f"{len(text)} characters{tab}, where {len(here)} {what}s in fixed columns have "
+                    f"{width}",
                 )
             start = 0
             for wide in here:
@@ -241,7 +243,7 @@ def checked(page: Page, one: Component, gravity: float) -> Component:
     if abs(own - stated) > 0.5 * max(last, digit) + 1e-9 * stated:
         raise page.error(
             line,
-            f"the header states a peak of {text} {unit} for {one.name}, and the values reach {own:.6g}",
+            f"the stated peak of {one.name} is {text} {unit}, and the values reach {own:.6g}",
             "take the file again, or say stated_peak=False to read it all the same",
         )
     return one

@@ -18,8 +18,9 @@ COLUMN = 18
 """Where the value of a label begins."""
 DIRECTIONS = {
     "N-S": ("N-S", 0.0, ""), "E-W": ("E-W", 90.0, ""), "U-D": ("U-D", None, ""),
-    "1": ("N-S", 0.0, " borehole"), "2": ("E-W", 90.0, " borehole"), "3": ("U-D", None, " borehole"),
-    "4": ("N-S", 0.0, " surface"), "5": ("E-W", 90.0, " surface"), "6": ("U-D", None, " surface"),
+    "1": ("N-S", 0.0, " borehole"), "2": ("E-W", 90.0, " borehole"),
+    "3": ("U-D", None, " borehole"), "4": ("N-S", 0.0, " surface"),
+    "5": ("E-W", 90.0, " surface"), "6": ("U-D", None, " surface"),
 }  # fmt: skip
 """Name, azimuth and place of each direction."""
 

@@ -50,8 +50,9 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
         )
     return (
         Component(
-            in_si(values, "g/10", gravity), dt, name, "g/10", first, station=page.lines[first + 4].strip(),
-            event=page.lines[first].strip(), peak=Peak(peak, "g", first + 11),
+            in_si(values, "g/10", gravity), dt, name, "g/10", first,
+            station=page.lines[first + 4].strip(), event=page.lines[first].strip(),
+            peak=Peak(peak, "g", first + 11),
         ).directed(),
         after + 1,
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""USGS, SMC (.smc): 11 lines of text, 48 whole numbers, 50 reals, comments, values of 10 characters."""
+"""USGS, SMC (.smc): 11 lines of text, 48 whole numbers, 50 reals, comments and values."""
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 from rockeom.motion.formats.text import short
