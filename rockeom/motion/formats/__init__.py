@@ -3,6 +3,8 @@
 A new format is a module here with `recognises` and `components`, and a line in `GRAMMARS`.
 """
 
+from itertools import islice
+
 from rockeom.motion.formats import (
     afad,
     bhrc,
@@ -24,14 +26,19 @@ GRAMMARS = (dyna, geonet, knet, cosmos, renadic, cesmd, usc, smc, bhrc, cwb, afa
 """Grammars in the order in which they are asked; each recognises its own files only."""
 
 
+HEAD = 13
+"""Lines by which a grammar recognises a file."""
+
+
 def read_components(text: Text, gravity: float, stated_peak: bool = True) -> list[Component] | None:
     """All components of a file of a network; None for a file that no grammar recognises.
 
     stated_peak : whether a peak that the file states must be that of its values.
     """
-    page = Page(text)
-    grammar = next((one for one in GRAMMARS if one.recognises(page)), None)
+    head = [line for _, line in islice(text.lines(), HEAD)]
+    grammar = next((one for one in GRAMMARS if one.recognises(head)), None)
     if grammar is None:
         return None
+    page = Page(text)
     found = grammar.components(page, gravity)
     return [checked(page, one, gravity) if stated_peak else one for one in found]

@@ -1,5 +1,7 @@
 """AFAD, Turkey, the old text (.txt): 17 lines of header, columns N-S, E-W and U-D in gal."""
 
+from collections.abc import Sequence
+
 from rockeom.motion.formats.grammar import Component, Page, in_si
 
 COLUMNS = {"N-S": (0.0, False), "E-W": (90.0, False), "U-D": (None, True)}
@@ -8,8 +10,8 @@ HEADER = 17
 """Lines of the header; the next one names the columns."""
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].startswith("STRONG GROUND MOTION RECORDS OF TURKIYE")
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].startswith("STRONG GROUND MOTION RECORDS OF TURKIYE")
 
 
 def components(page: Page, gravity: float) -> list[Component]:

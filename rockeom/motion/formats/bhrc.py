@@ -1,5 +1,7 @@
 """BHRC, Iran (.V1): components one after the other, values in g/10 of thirteen columns."""
 
+from collections.abc import Sequence
+
 from rockeom.motion.formats.grammar import Component, Page, each_component, in_si
 
 _BEGINS = r"\* VOL1DS FILE:"
@@ -7,8 +9,8 @@ TEXT, NUMBERS = 13, 14
 """Lines of text and of numbers at the head of each component; the latter are cut at 70 columns."""
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].startswith("* VOL1DS FILE:")
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].startswith("* VOL1DS FILE:")
 
 
 def components(page: Page, gravity: float) -> list[Component]:

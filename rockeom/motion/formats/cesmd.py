@@ -5,6 +5,7 @@ their number, step, unit and FORTRAN format, in a V2 velocities and displacement
 """
 
 import re
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -24,9 +25,9 @@ BLOCKS = {"accel": "cm/sec2", "veloc": "cm/sec", "displ": "cm"}
 """Blocks of values in a V2 and their units."""
 
 
-def recognises(page: Page) -> bool:
-    head = "\n".join(page.lines[:13]).upper()
-    return bool(re.match(_FIRST, page.lines[0], re.IGNORECASE)) and "RENADIC" not in head
+def recognises(head: Sequence[str]) -> bool:
+    text = "\n".join(head).upper()
+    return bool(re.match(_FIRST, head[0], re.IGNORECASE)) and "RENADIC" not in text
 
 
 def components(page: Page, gravity: float) -> list[Component]:

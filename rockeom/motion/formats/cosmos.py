@@ -1,6 +1,7 @@
-"""COSMOS 1.2 (.V1, .V2, .V2c): text, whole and real numbers, comments, values, and their formats."""
+"""COSMOS 1.2 (.V1, .V2, .V2c): text, whole numbers, reals, comments, values, and their formats."""
 
 import re
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -20,8 +21,8 @@ AZIMUTH, STEP = 53, 61
 _SCNL = r"<SCNL>\s*\S+?\.(\w{3})\."
 
 
-def recognises(page: Page) -> bool:
-    return bool(re.search(_FIRST, page.lines[0], re.IGNORECASE))
+def recognises(head: Sequence[str]) -> bool:
+    return bool(re.search(_FIRST, head[0], re.IGNORECASE))
 
 
 def components(page: Page, gravity: float) -> list[Component]:

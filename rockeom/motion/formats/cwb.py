@@ -1,5 +1,7 @@
 """CWB and CWA, Taiwan, free field (.dat): columns of time, U, N and E in gal."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
@@ -9,8 +11,8 @@ NAMES = {"U": (None, True), "N": (0.0, False), "E": (90.0, False)}
 """Azimuth of each column, and whether it is vertical."""
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].startswith("#Earthquake Information")
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].startswith("#Earthquake Information")
 
 
 def components(page: Page, gravity: float) -> list[Component]:

@@ -1,6 +1,7 @@
 """DYNA 1.2 (.ASC): ESM, ITACA and AFAD's TADAS; 64 lines "KEY: value", then a value a line."""
 
 import re
+from collections.abc import Sequence
 
 from rockeom.motion.formats.grammar import AGAIN, Component, Page, Peak, in_si
 from rockeom.motion.formats.text import short
@@ -9,8 +10,8 @@ HEADER = 64
 """Lines of the header."""
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].startswith("EVENT_NAME:")
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].startswith("EVENT_NAME:")
 
 
 def components(page: Page, gravity: float) -> list[Component]:

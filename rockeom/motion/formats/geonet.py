@@ -1,5 +1,7 @@
 """GeoNet, New Zealand (.V1A, .V2A): components one after the other, ten columns of 8 characters."""
 
+from collections.abc import Sequence
+
 from rockeom.motion.formats.grammar import Component, Page, Peak, each_component, in_si
 
 TEXT, NUMBERS = 16, 10
@@ -10,8 +12,8 @@ BLOCKS = {"V1A": 1, "V2A": 3}
 _BEGINS = r"(?:un)?corrected accelerogram \S+ GNS Science"
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].rstrip().endswith("GNS Science") and "accelerogram" in page.lines[0]
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].rstrip().endswith("GNS Science") and "accelerogram" in head[0]
 
 
 def components(page: Page, gravity: float) -> list[Component]:

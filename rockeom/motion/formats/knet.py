@@ -5,6 +5,7 @@ in the borehole, 4 to 6 those at the surface: two stations.
 """
 
 import re
+from collections.abc import Sequence
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 from rockeom.motion.formats.text import short
@@ -25,11 +26,9 @@ DIRECTIONS = {
 """Name, azimuth and place of each direction."""
 
 
-def recognises(page: Page) -> bool:
+def recognises(head: Sequence[str]) -> bool:
     return (
-        page.lines[0].startswith("Origin Time ")
-        and len(page) > 5
-        and page.lines[5].startswith("Station Code")
+        head[0].startswith("Origin Time ") and len(head) > 5 and head[5].startswith("Station Code")
     )
 
 

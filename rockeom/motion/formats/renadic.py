@@ -1,5 +1,7 @@
 """RENADIC, Chile (.v1): components one after the other, pairs of time and value in g/10."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, each_until, in_si
@@ -9,9 +11,9 @@ TEXT = 13
 """Lines of text of each component; a hundred whole numbers and 58 reals follow."""
 
 
-def recognises(page: Page) -> bool:
-    return page.lines[0].startswith("UNCORRECTED ACCELEROGRAM DATA") and any(
-        "RENADIC" in line for line in page.lines[:TEXT]
+def recognises(head: Sequence[str]) -> bool:
+    return head[0].startswith("UNCORRECTED ACCELEROGRAM DATA") and any(
+        "RENADIC" in line for line in head[:TEXT]
     )
 
 

@@ -1,5 +1,7 @@
 """USGS, SMC (.smc): 11 lines of text, 48 whole numbers, 50 reals, comments and values."""
 
+from collections.abc import Sequence
+
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 from rockeom.motion.formats.text import short
 
@@ -16,13 +18,9 @@ NONE = 1.0e38
 """From here on a real of the header says that there is none."""
 
 
-def recognises(page: Page) -> bool:
-    return (
-        page.lines[0][:1] in KINDS and page.lines[0][1:2] == " " and page.lines[1].strip() in ("*",)
-    ) or (
-        len(page) > TEXT
-        and page.lines[0][:2].strip() in KINDS
-        and page.lines[5].startswith("station =")
+def recognises(head: Sequence[str]) -> bool:
+    return (head[0][:1] in KINDS and head[0][1:2] == " " and head[1].strip() in ("*",)) or (
+        len(head) > TEXT and head[0][:2].strip() in KINDS and head[5].startswith("station =")
     )
 
 

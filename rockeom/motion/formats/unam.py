@@ -1,11 +1,13 @@
 """UNAM, Mexico, the standard file 2.0: a header of 109 lines, columns of the channels in gal."""
 
+from collections.abc import Sequence
+
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
 from rockeom.motion.formats.text import short
 
 
-def recognises(page: Page) -> bool:
-    return any(line.startswith("ARCHIVO ESTANDAR DE ACELERACION") for line in page.lines[:10])
+def recognises(head: Sequence[str]) -> bool:
+    return any(line.startswith("ARCHIVO ESTANDAR DE ACELERACION") for line in head[:10])
 
 
 def components(page: Page, gravity: float) -> list[Component]:

@@ -1,6 +1,7 @@
 """USC, Los Angeles (.s0a): one corrected component, values of 10 characters in cm/s2."""
 
 import re
+from collections.abc import Sequence
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 
@@ -8,8 +9,8 @@ _VALUES = r"^\s*(\d+) POINTS OF (ACC|VEL|DIS) DATA EQUALLY SPACED AT\s+(\S+) SEC
 BLOCKS = (("ACC", "CM/SEC/SEC"), ("VEL", "CM/SEC"), ("DIS", "CM"))
 
 
-def recognises(page: Page) -> bool:
-    first = page.lines[0]
+def recognises(head: Sequence[str]) -> bool:
+    first = head[0]
     return bool(re.match(r"(?:UN)?CORRECTED ACCELEROGRAM\s+\S+.* COMP .*FILE", first))
 
 
