@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion import segments as pieces
 from rockeom.motion.formula import call_of, with_formulas
+from rockeom.motion.record import Record
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
@@ -662,7 +663,7 @@ class GroundMotion(metaclass=explained.Constructors):
         1.962...
         """
         values = _accelerations(acceleration) * factor(units, gravity)
-        return _from_record(values, dt, name, "array")
+        return _from_record(Record(values, dt, name, "array"))
 
     @classmethod
     def from_at2(
@@ -701,7 +702,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.from_at2("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
+        return _from_record(_readers().read(path, units, gravity, name, is_at2=True))
 
     @classmethod
     def from_columns(
@@ -747,7 +748,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.from_columns("record.txt", units="g")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
+        return _from_record(_readers().read(path, units, gravity, name, is_at2=False))
 
     @classmethod
     def from_csv(
@@ -800,29 +801,37 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> record = rk.GroundMotion.from_csv("record.csv", units="m/s2")  # doctest: +SKIP
         """
         columns = time_column, acceleration_column
-        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
+        return _from_record(_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
 
     @classmethod
     def read(
         cls,
         path: FilePath,
         *,
+        component: str | float | None = None,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
+        stated_peak: bool = True,
     ) -> GroundMotion:
-        """Record from a file, by `from_at2` or `from_columns`, as the name or header requires.
+        """Record from a file of a network, a PEER record or two columns, recognised by content.
 
         Parameters
         ----------
         path : path_like
-            File.
+            File. :doc:`/how-to/network-files` lists the formats.
+        component : str or float, optional
+            Component of a file that holds several: its name ("N28W"), its number from 1 on, or
+            its azimuth, clockwise from north [degrees].
         units : str, optional
             Unit of the accelerations, where the file does not state it.
         gravity : float, optional
             Value of 1 g [m/s2].
         name : str, optional
             Label of the motion.
+        stated_peak : bool, optional
+            Whether the peak that a network's header states must be that of the values, to half a
+            unit of its last digit.
 
         Returns
         -------
@@ -832,14 +841,22 @@ class GroundMotion(metaclass=explained.Constructors):
         Raises
         ------
         InputError
-            With file, line, value and remedy, for anything the file does not state.
+            With file, line, value and remedy, for anything the file does not state, and for a file
+            of several components without `component`.
+
+        See Also
+        --------
+        Recording.read : All components of a station.
 
         Examples
         --------
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.read("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name))
+        readers = _readers()
+        records = readers.read_file(path, units, gravity, stated_peak)
+        record = readers.one_component(path, records, component)
+        return _from_record(record if name is None else record._replace(name=name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
@@ -867,7 +884,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> rk.GroundMotion.from_library("El Centro 1940 180").duration  # doctest: +SKIP
         53.71
         """
-        return _from_record(*_library().find(words).read())
+        return _from_record(_library().find(words).read())
 
     @classmethod
     def library(cls, words: str = "") -> tuple[str, ...]:
@@ -1577,11 +1594,9 @@ def _library() -> ModuleType:
     return library
 
 
-def _from_record(
-    a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
-) -> GroundMotion:
+def _from_record(record: Record) -> GroundMotion:
     """A record as linear segments between samples."""
-    dt = positive_number("dt", dt)
+    a, source, dt = record.acceleration, record.source, positive_number("dt", record.dt)
     require(len(a) >= 2, source, "acceleration", a, "give two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
@@ -1593,4 +1608,4 @@ def _from_record(
     segments = np.zeros((len(a) - 1, pieces.COLUMNS), np.result_type(a, t))
     segments[:, pieces.START], segments[:, pieces.END] = t[:-1], t[1:]
     segments[:, pieces.C0], segments[:, pieces.C1] = a[:-1], np.diff(a) / np.diff(t)
-    return GroundMotion(segments, name, source, dt, a, is_vertical)
+    return GroundMotion(segments, record.name, source, dt, a, record.is_vertical)

@@ -24,10 +24,10 @@ import numpy as np
 
 from rockeom.files import in_text
 from rockeom.motion import components
+from rockeom.motion.formats import read_components
 from rockeom.motion.formats.peer import head_of, last_header_line, read_at2
 from rockeom.motion.formats.text import (
     GET_AGAIN,
-    Record,
     Text,
     cut,
     glued,
@@ -39,6 +39,7 @@ from rockeom.motion.formats.text import (
     short,
     stated_factor,
 )  # fmt: skip
+from rockeom.motion.record import Record
 from rockeom.motion.units import CHANNEL_UNITS, channel_factor, is_known
 from rockeom.numbers.checks import FilePath, InputError, described, is_number, positive_number
 
@@ -52,6 +53,51 @@ class Channels(NamedTuple):
     dt: float
     values: dict[str, np.ndarray]
     name: str
+
+
+def read_file(
+    path: FilePath, units: str | None, gravity: float, stated_peak: bool = True
+) -> list[Record]:
+    """All components of a file of a network, or the one of a PEER record or of two columns."""
+    text = opened(path)
+    every = read_components(text, gravity, stated_peak)
+    if every is None:
+        return [read(path, units, gravity, None)]
+    if units is not None:
+        what = f"its format states the unit, {every[0].unit}"
+        raise InputError.at(path, None, what, "leave {units} out", "units")
+    name = components.name_of(path)
+    return [
+        Record(
+            one.acceleration, one.dt, name if len(every) == 1 else f"{name}, {one.name}",
+            f"{in_text(path).name}, {one.name} at {one.station}", one.is_vertical, one.name,
+            one.azimuth,
+        )
+        for one in every
+    ]  # fmt: skip
+
+
+def one_component(path: FilePath, records: list[Record], component: str | float | None) -> Record:
+    """The record of a component: by its name, its number from 1 on, or its azimuth [degrees]."""
+    if component is None and len(records) == 1:
+        return records[0]
+    listed = ", ".join(
+        f"{n} {one.component or 'without a name'}" for n, one in enumerate(records, 1)
+    )
+    if component is None:
+        what = f"it holds {len(records)} components: {listed}"
+        remedy = "choose one by {component}, or read all by rk.Recording.read"
+        raise InputError.at(path, None, what, remedy, "component")
+    if isinstance(component, str):
+        found = [one for one in records if one.component.lower() == component.strip().lower()]
+    elif isinstance(component, int) and 1 <= component <= len(records):
+        found = [records[component - 1]]
+    else:
+        found = [one for one in records if one.azimuth == float(component) % 360]
+    if len(found) != 1:
+        what = f"{len(found)} of its components are {described(component)}: {listed}"
+        raise InputError.at(path, None, what, "give {component} as one of these", "component")
+    return found[0]
 
 
 def read(

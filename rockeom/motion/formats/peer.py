@@ -14,7 +14,6 @@ from rockeom.motion import components
 from rockeom.motion.formats.text import (
     COMMENTS,
     NUMBER,
-    Record,
     Text,
     cut,
     glued,
@@ -24,6 +23,7 @@ from rockeom.motion.formats.text import (
     short,
     stated_factor,
 )  # fmt: skip
+from rockeom.motion.record import Record
 from rockeom.numbers.checks import FilePath, InputError
 
 SECONDS = ("s", "sec", "secs", "second", "seconds")

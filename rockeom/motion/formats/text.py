@@ -19,26 +19,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import NamedTuple
-
-import numpy as np
 
 from rockeom.motion.units import NAMES, factor, is_known
 from rockeom.numbers.checks import FilePath, InputError, InputTypeError
-
-
-class Record(NamedTuple):
-    """Accelerations (n,) [m/s2] at times 0, dt, 2 dt ... [s], with name and source.
-
-    is_vertical : whether the file says so, see `components`.
-    """
-
-    acceleration: np.ndarray
-    dt: float
-    name: str
-    source: str
-    is_vertical: bool = False
-
 
 # -- files ---------------------------------------------------------------------------------------
 
