@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion import segments as pieces
+from rockeom.motion.components import name_of
 from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.record import Record
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
@@ -1592,6 +1593,21 @@ def _library() -> ModuleType:
     from rockeom.motion import library
 
     return library
+
+
+def every_component(
+    path: FilePath, *, units: str | None, gravity: float, stated_peak: bool
+) -> list[GroundMotion]:
+    """All components of a file, named as the file is."""
+    records = _readers().read_file(path, units, gravity, stated_peak)
+    if len(records) == 1:
+        records = [records[0]._replace(name=name_of(path))]
+    return [_from_record(one) for one in records]
+
+
+def is_recognised(path: FilePath) -> bool:
+    """Whether a file is one of a network or of PEER, by its content."""
+    return _readers().is_recognised(path)
 
 
 def _from_record(record: Record) -> GroundMotion:

@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike
 
 from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
-from rockeom.motion.components import name_of
-from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.ground_motion import GroundMotion, every_component, is_recognised
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
 from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import (
     FilePath,
     InputError,
@@ -104,13 +104,14 @@ class MotionSet(Sequence[GroundMotion]):
     def from_folder(
         cls,
         path: FilePath,
-        pattern: str = "*.at2",
+        pattern: str | None = None,
         *,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         components: str = "horizontal",
+        stated_peak: bool = True,
     ) -> MotionSet:
-        """Records of a folder, each read by `GroundMotion.read` and named as its file is.
+        """Records of a folder, all components of each file, named as the file is.
 
         Parameters
         ----------
@@ -118,7 +119,8 @@ class MotionSet(Sequence[GroundMotion]):
             Folder. Folders within it are not looked into.
         pattern : str, optional
             Pattern of the files' names, small and capital letters alike, such as ``*.txt`` or
-            ``RSN*_H1.at2``.
+            ``RSN*_H1.at2``; without one all files of a network and of PEER, recognised by content,
+            and a warning names the others.
         units : str, optional
             Unit of the accelerations of all files, where these do not state it.
         gravity : float, optional
@@ -127,6 +129,8 @@ class MotionSet(Sequence[GroundMotion]):
             "horizontal", "vertical" or "all". A component is vertical if its header or the name of
             its file says so (UP, DWN, UD, U-D, U, V, VERT, Z, or a SEED code such as HNZ, with or
             without its location); a warning names those that "horizontal" leaves out.
+        stated_peak : bool, optional
+            Whether the peaks that headers state must be those of the values.
 
         Returns
         -------
@@ -147,20 +151,13 @@ class MotionSet(Sequence[GroundMotion]):
         folder = Path(path)
         require(folder.is_dir(), "", "path", folder, "give a folder that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
-        require(isinstance(pattern, str), "", "pattern", pattern, 'give a text, such as "*.at2"')
-        wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
-        if not wanted:
-            endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
-            raise InputError("pattern", pattern).says(
-                f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
-                f"themselves; the endings are {endings}",
-                "or give another pattern",
-            )
+        wanted = _recognised(folder, files) if pattern is None else _like(folder, files, pattern)
         motions, faults = [], []
         for file in wanted:
-            name = name_of(file)
             try:
-                motions.append(GroundMotion.read(file, units=units, gravity=gravity, name=name))
+                motions += every_component(
+                    file, units=units, gravity=gravity, stated_peak=stated_peak
+                )
             except InputError as error:
                 faults.append(error.in_words(in_template))
         if faults:
@@ -534,3 +531,31 @@ def _function(
 
 def _word(intensity: Any) -> str:
     return intensity.lower() if isinstance(intensity, str) else ""
+
+
+def _like(folder: Path, files: list[Path], pattern: str) -> list[Path]:
+    """Files whose names are like a pattern; InputError if there are none."""
+    require(isinstance(pattern, str), "", "pattern", pattern, 'give a text, such as "*.at2"')
+    wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
+    if not wanted:
+        endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
+        raise InputError("pattern", pattern).says(
+            f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
+            f"themselves; the endings are {endings}",
+            "or give another pattern",
+        )
+    return wanted
+
+
+def _recognised(folder: Path, files: list[Path]) -> list[Path]:
+    """Files of a network or of PEER; a warning names the others, InputError if there are none."""
+    wanted = [p for p in files if is_recognised(p)]
+    others = ", ".join(p.name for p in files if p not in wanted)
+    if not wanted:
+        raise InputError("path", folder).says(
+            f"none of the {len(files)} files of {folder} is of a network or of PEER: {others}; "
+            'give {pattern} and {units} for columns of text, such as "*.txt" and "g"'
+        )
+    if others:
+        warn_caller(f"files of {folder} that are no records of a network or of PEER: {others}")
+    return wanted

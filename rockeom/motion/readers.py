@@ -24,7 +24,7 @@ import numpy as np
 
 from rockeom.files import in_text
 from rockeom.motion import components
-from rockeom.motion.formats import read_components
+from rockeom.motion.formats import grammar_of, read_components
 from rockeom.motion.formats.peer import head_of, last_header_line, read_at2
 from rockeom.motion.formats.text import (
     GET_AGAIN,
@@ -53,6 +53,15 @@ class Channels(NamedTuple):
     dt: float
     values: dict[str, np.ndarray]
     name: str
+
+
+def is_recognised(path: FilePath) -> bool:
+    """Whether a file is one of a network or of PEER; False for one that cannot be read as text."""
+    try:
+        text = opened(path)
+        return grammar_of(text) is not None or last_header_line(head_of(text)) is not None
+    except InputError:
+        return False
 
 
 def read_file(

@@ -6,14 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from rockeom.motion.components import channel, split
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.motion.recording import Recording
+from rockeom.motion.recording import Recording, recording_from
 from rockeom.motion.scaling import SCALE_IN_NAME
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import InputError, require_word
 
 COMPONENTS = ("horizontal", "vertical", "all")
 """Components of records that a set may hold."""
-_RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
 _OF_SCALED = re.compile(f"({SCALE_IN_NAME.pattern.rstrip('$')})?( \\(\\d+\\))?$")
 
@@ -28,35 +27,12 @@ def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recordin
         instrument = channel(component) if sizes[name] > 3 else ""
         recording = ", ".join(filter(None, (name or set_name, instrument)))
         groups.setdefault(recording, []).append(motion)
-    return tuple(_recording(name, group) for name, group in groups.items())
+    return tuple(recording_from(name, group) for name, group in groups.items())
 
 
 def recording_of(name: object) -> str:
     """The recording of a motion by its label in a sweep, where scaled ones may have many labels."""
     return split(_OF_SCALED.sub("", name))[0] if isinstance(name, str) else str(name)
-
-
-def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
-    """The recording with these components; raises InputError for what is none."""
-    horizontal = tuple(motion for motion in group if not motion.is_vertical)
-    vertical = [motion for motion in group if motion.is_vertical]
-    members = ", ".join(motion.name for motion in group)
-    if not horizontal:
-        raise InputError("components").says(
-            f"{members} has no horizontal component in this set: read the set with "
-            '{components:"all"}, or leave it out'
-        )
-    azimuths = [int(at) for motion in horizontal if (at := split(motion.name)[1]).isdigit()]
-    skew = len(azimuths) == 2 and abs((azimuths[0] - azimuths[1]) % 180 - 90) > _RIGHT_ANGLE
-    if len(horizontal) > 2 or len(vertical) > 1 or skew:
-        counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
-        what = "two components at no right angle" if skew else counted
-        raise InputError("motions").says(
-            f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
-            'component, as in "ELC-180"',
-            "dataclasses.replace(motion, name=...) gives another name",
-        )
-    return Recording(name, horizontal, vertical[0] if vertical else None)
 
 
 def chosen(

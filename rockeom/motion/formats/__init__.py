@@ -4,6 +4,7 @@ A new format is a module here with `recognises` and `components`, and a line in 
 """
 
 from itertools import islice
+from types import ModuleType
 
 from rockeom.motion.formats import (
     afad,
@@ -30,13 +31,18 @@ HEAD = 13
 """Lines by which a grammar recognises a file."""
 
 
+def grammar_of(text: Text) -> ModuleType | None:
+    """The grammar that recognises a file."""
+    head = [line for _, line in islice(text.lines(), HEAD)]
+    return next((one for one in GRAMMARS if one.recognises(head)), None)
+
+
 def read_components(text: Text, gravity: float, stated_peak: bool = True) -> list[Component] | None:
     """All components of a file of a network; None for a file that no grammar recognises.
 
     stated_peak : whether a peak that the file states must be that of its values.
     """
-    head = [line for _, line in islice(text.lines(), HEAD)]
-    grammar = next((one for one in GRAMMARS if one.recognises(head)), None)
+    grammar = grammar_of(text)
     if grammar is None:
         return None
     page = Page(text)

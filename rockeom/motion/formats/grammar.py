@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.motion.components import azimuth_and_vertical
 from rockeom.motion.formats.text import Text, looks_numeric, number_of, numbers_of, short
 from rockeom.motion.units import factor
 from rockeom.numbers.checks import InputError
@@ -74,38 +75,8 @@ class Component:
 
     def directed(self) -> "Component":
         """With azimuth and direction by its name, where the file has no field of its own."""
-        azimuth, is_vertical = direction(self.name)
+        azimuth, is_vertical = azimuth_and_vertical(self.name)
         return replace(self, azimuth=azimuth, is_vertical=is_vertical)
-
-
-_UP = re.compile(r"(?:up|down|dwn|dn|u-?d|u|v|z|vert(?:ical)?|ver)\d*", re.IGNORECASE)
-_BEARING = re.compile(r"([NS])\s*(\d{1,2})\s*([EW])", re.IGNORECASE)
-_DEGREES = re.compile(r"(\d{1,3})\s*(?:deg\w*|°)?", re.IGNORECASE)
-_CARDINAL = {
-    "n": 0.0,
-    "n-s": 0.0,
-    "ns": 0.0,
-    "s": 180.0,
-    "e": 90.0,
-    "e-w": 90.0,
-    "ew": 90.0,
-    "w": 270.0,
-}
-
-
-def direction(name: str) -> tuple[float | None, bool]:
-    """Azimuth [degrees] of a direction, if it has one, and whether it is vertical."""
-    word = name.strip()
-    if _UP.fullmatch(word):
-        return None, True
-    if bearing := _BEARING.fullmatch(word):
-        north, angle, east = bearing[1].upper() == "N", float(bearing[2]), bearing[3].upper() == "E"
-        return (
-            angle if east else -angle
-        ) % 360 if north else 180 - angle if east else 180 + angle, False
-    if (degrees := _DEGREES.fullmatch(word)) and int(degrees[1]) <= 360:
-        return float(degrees[1]) % 360, False
-    return _CARDINAL.get(word.lower()), False
 
 
 class Page:
