@@ -549,12 +549,13 @@ def _like(folder: Path, files: list[Path], pattern: str) -> list[Path]:
 
 def _recognised(folder: Path, files: list[Path]) -> list[Path]:
     """Files of a network or of PEER; a warning names the others, InputError if there are none."""
-    wanted = [p for p in files if is_recognised(p)]
+    wanted = [p for p in files if p.suffix.lower() == ".at2" or is_recognised(p)]
     others = ", ".join(p.name for p in files if p not in wanted)
     if not wanted:
         raise InputError("path", folder).says(
-            f"none of the {len(files)} files of {folder} is of a network or of PEER: {others}; "
-            'give {pattern} and {units} for columns of text, such as "*.txt" and "g"'
+            f"{folder} holds no record of a network or of PEER among {len(files)} files"
+            f"{f', {others}' * bool(others)}: name the files themselves",
+            "or give {pattern} and {units} for columns of text",
         )
     if others:
         warn_caller(f"files of {folder} that are no records of a network or of PEER: {others}")
