@@ -215,12 +215,12 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 64_293, "tests": 47_324, "generated": 14_265, "/.": 298, "/analysis": 7_499,
+    "rockeom": 61_107, "tests": 47_324, "generated": 14_265, "/.": 298, "/analysis": 7_499,
     "/assessment": 1_039, "/browser": 3_561, "/cli": 2_488, "/codegen": 2_168, "/compiler": 2_134,
     "/drawing": 1_384, "/exports": 1_741, "/generated": 56, "/integrator": 7_028,
     "/modelling": 549, "/motion": 3_399, "/numbers": 929, "/plots": 1_170, "/simulation": 2_171,
     "/structures": 3_546, "/sweeps": 2_055, "/symbolic": 7_933, "/teaching": 39,
-    "/thesis": 13_106,
+    "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
 
