@@ -1596,7 +1596,11 @@ def _library() -> ModuleType:
 
 
 def every_component(
-    path: FilePath, *, units: str | None, gravity: float, stated_peak: bool
+    path: FilePath,
+    *,
+    units: str | None = None,
+    gravity: float = STANDARD_GRAVITY,
+    stated_peak: bool = True,
 ) -> list[GroundMotion]:
     """All components of a file, named as the file is."""
     records = _readers().read_file(path, units, gravity, stated_peak)

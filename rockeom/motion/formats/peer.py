@@ -24,6 +24,7 @@ from rockeom.motion.formats.text import (
     stated_factor,
 )  # fmt: skip
 from rockeom.motion.record import Record
+from rockeom.motion.units import is_known
 from rockeom.numbers.checks import FilePath, InputError
 
 SECONDS = ("s", "sec", "secs", "second", "seconds")
@@ -39,7 +40,19 @@ _OLD_STEP_LINE = re.compile(r"\bNPTS\s*,\s*DT\b", re.IGNORECASE)
 _NPTS = re.compile(r"\bNPTS\s*=\s*([^\s,]*)", re.IGNORECASE)
 _DT = re.compile(rf"\bDT\s*=\s*({NUMBER.pattern}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
 _UNITS = re.compile(r"\bIN\s+UNITS?\s+OF\s+([A-Za-z][\w/*^]*)", re.IGNORECASE)
-_QUANTITY = re.compile(r"\b(VELOCITY|DISPLACEMENT)\s+TIME\s+(?:SERIES|HISTORY)\b", re.IGNORECASE)
+_OTHER_UNITS = re.compile(
+    r"\bUNITS?\s*[:=]\s*\(?([A-Za-z][\w/*^]*)|"
+    r"\bACC[A-Z.]*\b[^()]*?(?:\bIN\s+|[(\[]\s*)([A-Za-z][\w/*^]*)",
+    re.IGNORECASE,
+)
+"""Units as other writers state them: "UNITS: G", "ACCELERATION IN G", "Acceleration (g)"."""
+_WHOLE = re.compile(r"([0-9]+)\.0*")
+"""A number of values as Fortran's reals print it: "103."."""
+_QUANTITY = re.compile(
+    r"\b(VELOCITY|DISPLACEMENT)\s+TIME\s+(?:SERIES|HISTORY)\b|"
+    r"^\s*(VELOCITY|DISPLACEMENT)\s*(?:\bIN\b|[(\[])",
+    re.IGNORECASE,
+)
 
 
 def read_at2(text: Text, units: str | None, gravity: float, name: str | None) -> Record:
@@ -53,10 +66,12 @@ def read_at2(text: Text, units: str | None, gravity: float, name: str | None) ->
     header = head[: last - 1]
     for number, line in enumerate(header, 1):
         if found := _QUANTITY.search(line):
-            raise other_quantity(path, number, found[1].lower(), f"the header says {short(line)}")
+            raise other_quantity(
+                path, number, (found[1] or found[2]).lower(), f"the header says {short(line)}"
+            )
     npts, dt = _npts_and_dt(path, last, head[last - 1])
 
-    stated = [(n, found[1]) for n, line in enumerate(header, 1) if (found := _UNITS.search(line))]
+    stated = [(n, unit) for n, line in enumerate(header, 1) if (unit := _unit(line))]
     unit_line, in_file = stated[-1] if stated else (None, None)
     to_si = stated_factor(path, unit_line, in_file, units, gravity)
 
@@ -74,6 +89,15 @@ def read_at2(text: Text, units: str | None, gravity: float, name: str | None) ->
     source = f"{in_text(path).name}, line 2: {title}" if titled else in_text(path).name
     is_vertical = components.is_vertical(components.name_of(path), title if titled else "", header)
     return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
+
+
+def _unit(line: str) -> str | None:
+    """The unit that a line of the header states; one in other words must be known."""
+    if found := _UNITS.search(line):
+        return found[1]
+    other = _OTHER_UNITS.search(line)
+    unit = (other[1] or other[2]) if other else None
+    return unit if unit is not None and is_known(unit) else None
 
 
 def last_header_line(head: Sequence[str]) -> int | None:
@@ -95,7 +119,7 @@ def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[str, float]:
     """Number of values, in plain digits, and time step [s] of the last line of the header."""
     if (npts_found := _NPTS.search(text)) is not None:
         dt_found = _DT.search(text)
-        npts = npts_found[1]
+        npts = whole[1] if (whole := _WHOLE.fullmatch(npts_found[1])) else npts_found[1]
         dt_text, dt_unit = (dt_found[1], dt_found[2].lower()) if dt_found else ("", "")
     else:
         old = _old_npts_and_dt(text)
