@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rockeom.motion.formats.text import Text, looks_numeric, number_of, numbers_of, short
+from rockeom.motion.formats.text import Text, number_of, numbers_of, short
 from rockeom.motion.units import factor
 from rockeom.numbers.checks import InputError
 
@@ -203,8 +203,8 @@ class Page:
         """The numbers (n,) of fields, each of a line."""
         values = numbers_of(fields)
         if values is None:
-            n = next(i for i, field in enumerate(fields) if not looks_numeric(field))
-            number_of(fields[n], self.path, lines[n], f"{what} {n + 1}")
+            for n, (field, line) in enumerate(zip(fields, lines, strict=True), 1):
+                number_of(field, self.path, line, f"{what} {n}")
         return np.array(values)
 
     def ends(self, number: int) -> None:
