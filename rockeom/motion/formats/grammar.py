@@ -6,7 +6,7 @@ where it must be and refuses any other with the line, what was expected there, a
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import NamedTuple
@@ -135,7 +135,7 @@ class Page:
         text = self.line(number, what)
         found = re.search(pattern, text, re.IGNORECASE)
         if not found:
-            raise self.error(number, f"{what} is expected here, and not {short(text)}")
+            raise self.error(number, f"the line says {short(text)}, and should give {what}")
         return found
 
     def find(
@@ -149,10 +149,10 @@ class Page:
             if (m := re.search(pattern, self.lines[n - 1], re.IGNORECASE))
         ]
         if len(found) != 1:
-            there = f"in {len(found)} lines" if found else "in none"
+            there = f"{len(found)} lines do" if found else "none does"
             raise self.error(
                 found[1][0] if found else None,
-                f"{what} is expected in one line of {first} to {last}, and is {there}",
+                f"one of the lines {first} to {last} should give {what}: {there}",
             )
         return found[0]
 
@@ -252,13 +252,6 @@ def checked(page: Page, one: Component, gravity: float) -> Component:
 def in_si(values: np.ndarray, unit: str, gravity: float) -> np.ndarray:
     """Accelerations [m/s2] of values in a unit."""
     return values * factor(unit, gravity)
-
-
-def each_component(page: Page, begins: str) -> Iterator[tuple[int, int]]:
-    """First and last line of each component, all of which begin with such a line."""
-    starts = [n for n, line in enumerate(page.lines, 1) if re.match(begins, line, re.IGNORECASE)]
-    for first, after in zip(starts, [*starts[1:], len(page) + 1], strict=True):
-        yield first, after - 1
 
 
 def each_until(page: Page, read: Callable[[int], tuple[Component, int]]) -> list[Component]:

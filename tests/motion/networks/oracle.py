@@ -100,7 +100,7 @@ def cesmd(lines: list[str]) -> list[Read]:
 def renadic(lines: list[str]) -> list[Read]:
     every, first = [], 0
     while first < len(lines):
-        count = int(re.split(r"=\s*|\s+RECORD", lines[first + 10], flags=re.I)[1])
+        count = int(lines[first + 10].split("=")[1].split()[0])
         pairs = cells(lines, first + 27, 2 * count, *10 * [7])
         step = round((pairs[-2] - pairs[0]) / (count - 1), 6)
         every.append(Read(step, 0.1 * G * pairs[1::2]))
