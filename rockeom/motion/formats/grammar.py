@@ -1,4 +1,4 @@
-"""What the grammars of all networks share: lines by number, fixed columns, components, peaks.
+"""Shared by the grammars of all networks: lines by number, fixed columns, components, peaks.
 
 A grammar is a module of this folder with two functions: `recognises`, whether the first lines of a
 file are its own, and `components`, all components of such a file in SI units. It reads each line
@@ -131,7 +131,7 @@ class Page:
         return self.lines[number - 1]
 
     def match(self, number: int, pattern: str, what: str) -> re.Match[str]:
-        """What a pattern finds in a line, where `what` stands."""
+        """The match of a pattern in a line that should give `what`."""
         text = self.line(number, what)
         found = re.search(pattern, text, re.IGNORECASE)
         if not found:

@@ -57,19 +57,11 @@ def swapped(lines: list[str], n: int, random: Random) -> None:
     lines[n], lines[other] = lines[other], lines[n]
 
 
-def letter_lost(lines: list[str], n: int, random: Random) -> None:
+def letter(lines: list[str], n: int, random: Random) -> None:
+    """Lost, added or changed."""
     at = random.randrange(len(lines[n]) + 1)
-    lines[n] = lines[n][:at] + lines[n][at + 1 :]
-
-
-def letter_added(lines: list[str], n: int, random: Random) -> None:
-    at = random.randrange(len(lines[n]) + 1)
-    lines[n] = lines[n][:at] + random.choice(LETTERS) + lines[n][at:]
-
-
-def letter_changed(lines: list[str], n: int, random: Random) -> None:
-    at = random.randrange(len(lines[n]) + 1)
-    lines[n] = lines[n][:at] + random.choice(LETTERS) + lines[n][at + 1 :]
+    new, after = random.choice([("", 1), (random.choice(LETTERS), random.randrange(2))])
+    lines[n] = lines[n][:at] + new + lines[n][at + after :]
 
 
 def field_changed(lines: list[str], n: int, random: Random) -> None:
@@ -103,7 +95,7 @@ def appended(text: str, random: Random) -> str:
 
 MUTATIONS: tuple[Callable[[str, Random], str | bytes], ...] = (
     truncated, carriage, encoded, appended, *map(by_line, (
-        lost, doubled, swapped, letter_lost, letter_added, letter_changed, field_changed, tabs,
+        lost, doubled, swapped, letter, letter, letter, field_changed, tabs,
     )),
 )  # fmt: skip
 
@@ -118,7 +110,7 @@ def spoiled(text: str, random: Random) -> bytes:
 
 
 def fault(name: str, path: Path, stated_peak: bool) -> str | None:
-    """What is wrong with the reading of a file; None where it is refused, or read as it is."""
+    """Fault of the reading of a file; None where it is refused, or read as it is."""
     begin = time.perf_counter()
     try:
         records = read_file(path, None, GRAVITY, stated_peak)

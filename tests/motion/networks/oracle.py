@@ -26,24 +26,19 @@ def cells(lines: list[str], first: int, count: int, *widths: int) -> np.ndarray:
     for n in range(count):
         row, column = divmod(n, len(widths))
         text = lines[first + row][starts[column] : starts[column + 1]]
-        own.append(float(re.sub("[dD]", "e", text)))
+        own.append(number(text))
     return np.array(own)
 
 
-def behind(lines: list[str], label: str, mark: str = ":") -> str:
-    """What follows a mark in the one line that begins with a label."""
-    line = only(lines, label)
-    return lines[line].split(mark, 1)[1].strip()
+def behind(lines: list[str], label: str) -> str:
+    """The rest behind a mark of the one line that begins with a label."""
+    return lines[only(lines, label)].split(":", 1)[1].strip()
 
 
-def only(lines: list[str], label: str, at: int = 0) -> int:
-    """The index of the one line that has a text at a column."""
-    (line,) = [n for n, text in enumerate(lines) if text[at:].startswith(label)]
+def only(lines: list[str], label: str) -> int:
+    """The index of the one line that begins with a label."""
+    (line,) = [n for n, text in enumerate(lines) if text.startswith(label)]
     return line
-
-
-def rows_of(count: int, per_line: int) -> int:
-    return -(-count // per_line)
 
 
 def number(text: str) -> float:
@@ -66,7 +61,7 @@ def geonet(lines: list[str]) -> list[Read]:
         step = number(words[10 if is_raw else 4])
         scale = number(words[5]) if is_raw else 1.0
         every.append(Read(step, 0.001 * scale * cells(lines, first + 26, count, *10 * [8])))
-        first += 26 + (1 if is_raw else 3) * rows_of(count, 10)
+        first += 26 + (1 if is_raw else 3) * -(-count // 10)
     return every
 
 
@@ -104,7 +99,7 @@ def renadic(lines: list[str]) -> list[Read]:
         pairs = cells(lines, first + 27, 2 * count, *10 * [7])
         step = round((pairs[-2] - pairs[0]) / (count - 1), 6)
         every.append(Read(step, 0.1 * G * pairs[1::2]))
-        first += 27 + rows_of(2 * count, 10) + 1
+        first += 27 + -(-2 * count // 10) + 1
     return every
 
 
@@ -115,7 +110,7 @@ def bhrc(lines: list[str]) -> list[Read]:
         count = int(points.split()[0])
         own = cells(lines, first + 27, count, *10 * [13])
         every.append(Read(number(duration) / count, 0.1 * G * own))
-        first += 27 + rows_of(count, 10) + 1
+        first += 27 + -(-count // 10) + 1
     return every
 
 
@@ -131,7 +126,7 @@ def cosmos(lines: list[str]) -> list[Read]:
         own = cells(lines, begins + 1, count, *per * [width])
         unit = G if "g(02)" in lines[begins].lower() else 0.01
         every.append(Read(reals[61] / 1000, unit * own))
-        first = begins + 1 + rows_of(count, per) + 1
+        first = begins + 1 + -(-count // per) + 1
     return every
 
 

@@ -79,21 +79,19 @@ def geonet(is_raw: bool) -> Twin:
     lines, directions = [], []
     for k, (name, azimuth) in enumerate({"N28W": 332.0, "S62W": 242.0, "Up": None}.items()):
         own = block(sine(k, 0.001), "8.1f", 10)
-        kind = "Uncorrected" if is_raw else "Corrected"
-        step = (
-            f"Raw readings in units of 1.000 mm/s/s at intervals of {DT:.3f} s"
-            if is_raw
-            else f"Instrument corrected data at {DT:.3f} sec intervals"
-        )
+        kind, step = "Corrected", f"Instrument corrected data at {DT:.3f} sec intervals"
+        if is_raw:
+            kind, step = (
+                "Uncorrected",
+                "Raw readings in units of 1.000 mm/s/s at intervals of .01 s",
+            )
         lines += [
             f"{kind} accelerogram 20200101_000000_ABCD_20 GNS Science",
-            "Site ABCD      42 00 00S  173 00 00E", "Nowhere", "Instrument 1", "Resolution: 18-bit",
-            "Accelerogram 20200101_000000_ABCD_20", "5 km west of Nowhere", "2020 January 01",
-            "Epicentre  42 00 00S", f"Number of points  {SAMPLES}    Duration 4.00 sec", step,
-            "Band-pass filter", f"Component {name}  Accelerometer Axis",
-            f"Acceleration:  peak {own.peak:8.1f} mm/s/s at 1.00 sec", "Velocity:", "Displacement:",
+            "Site ABCD      42 00 00S  173 00 00E", *7 * ["Nowhere"],
+            f"Number of points  {SAMPLES}    Duration 4.00 sec", step, "Band-pass filter",
+            f"Component {name}  Axis", f"Acceleration:  peak {own.peak:8.1f} mm/s/s at 1.00 sec",
+            "Velocity:", "Displacement:", *zeros(100, 8, 10, _33=SAMPLES), *own.lines,
         ]  # fmt: skip
-        lines += [*zeros(100, 8, 10, _33=SAMPLES), *own.lines]
         if not is_raw:
             lines += block(0.1 * own.values, "8.2f", 10).lines
             lines += block(0.01 * own.values, "8.3f", 10).lines
@@ -106,9 +104,9 @@ def knet(direction: str, name: str, azimuth: float, place: str = "") -> Twin:
     own = block(np.round(sine(0, 0.01) / scale + 6900), "8.0f", 1)
     gal = scale * (own.values - own.values.mean())
     stated = {
-        "Origin Time": "2020/01/01 00:00:00", "Lat.": "35.0", "Long.": "133.0",
-        "Depth. (km)": "11", "Mag.": "7.3", "Station Code": "ABC001", "Station Lat.": "34.0",
-        "Station Long.": "137.0", "Station Height(m)": "5", "Record Time": "2020/01/01 00:00:10",
+        "Origin Time": "2020/01/01", "Lat.": "", "Long.": "", "Depth. (km)": "", "Mag.": "",
+        "Station Code": "ABC001", "Station Lat.": "", "Station Long.": "",
+        "Station Height(m)": "", "Record Time": "",
         "Sampling Freq(Hz)": "100Hz", "Duration Time(s)": "4", "Dir.": direction,
         "Scale Factor": "2000(gal)/8388608", "Max. Acc. (gal)": f"{np.abs(gal).max():.3f}",
         "Last Correction": "2020/01/01 00:00:00", "Memo.": "",
@@ -124,13 +122,8 @@ def cesmd(is_raw: bool) -> Twin:
     unit = GRAVITY if is_raw else 0.01
     for k, (name, azimuth) in enumerate({"360 Deg": 0.0, "90 Deg": 90.0, "Up": None}.items()):
         own = block(sine(k, unit), "9.6f" if is_raw else "10.5f", 8)
-        first = (
-            "Uncorrected Accelerogram Data             Processed: 01/01/20"
-            if is_raw
-            else f"Corrected accelerogram   11111-L1-20001.00       Chan  {k + 1}:  {name}"
-        )
         text = [
-            first, "Record of Wed Jan 1, 2020", "Preliminary Processing", "11111-L1-20001.00",
+            "Uncorrected Accelerogram Data", *2 * ["Preliminary Processing"], "11111-L1-20001.00",
             "Station No. 11111   40.0N, 123.0W   (3 Chns of  3 at Sta)", "Nowhere",
             f"Chan  {k + 1}: {name}", "Record of Wed Jan 1, 2020 13:06:45.0 PST", "Hypocenter:",
         ]  # fmt: skip
@@ -139,14 +132,14 @@ def cesmd(is_raw: bool) -> Twin:
             head = f"{SAMPLES:6d} Accelerogram points at 100 pts/sec in units of g .  "
             data = [head + "Format: (8f9.6)", *own.lines]
         else:
-            text.insert(1, "Uncorrected Accelerogram Data")
+            text.insert(0, f"Corrected accelerogram   11111-L1-20001.00   Chan  {k + 1}:  {name}")
             text += [f"Peak acceleration = {own.peak:9.5f}  cm/sec/sec  at 1.0   sec."]
             data = []
-            for n, (kind, of) in enumerate(
-                {"accel": "cm/sec2.", "veloc": "cm/sec. ", "displ": "cm.     "}.items()
-            ):
-                head = f"{SAMPLES:6d} points of {kind} data equally spaced at  {DT:.3f} sec, in "
-                data += [f"{head}{of} (8f10.5)", *block(own.values / 10**n, "10.5f", 8).lines]
+            for n, of in enumerate(("accel", "veloc", "displ")):
+                head = f"{SAMPLES:6d} points of {of} data equally spaced at  {DT:.3f} sec, in "
+                unit_of = ("cm/sec2.", "cm/sec. ", "cm.     ")[n]
+                data += [f"{head}{unit_of} (8f10.5)"]
+                data += block(own.values / 10**n, "10.5f", 8).lines
         lines += [*text, *zeros(100, 5, 16), *zeros(66, 10, 8, ".6f"), *data]
         lines += [f"/&  ----------  End of data for channel  {k + 1}  ----------"]
         directions.append(Direction(name, azimuth, azimuth is None, unit * own.values))
@@ -159,9 +152,8 @@ def renadic() -> Twin:
         own = block(sine(k, 0.1 * GRAVITY), "7.3f", 1)
         pairs = [field for t, a in zip(TIMES, own.lines, strict=True) for field in (f"{t:7.3f}", a)]
         lines += [
-            "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 01/01/2020", "NOWHERE 2020",
-            "01/01/2020", "TRIGGER TIME", "STATION NO.", "NOWHERE S/N 1", f"CHAN  {k + 1}: {name}",
-            "UNIVERSIDAD - RENADIC", "HYPOCENTER:", "INSTR PERIOD = 0.0380 SEC",
+            "UNCORRECTED ACCELEROGRAM DATA", *4 * ["RENADIC"], "NOWHERE S/N 1",
+            f"CHAN  {k + 1}: {name}", "UNIVERSIDAD", "HYPOCENTER:", "INSTR PERIOD = 0.0380 SEC",
             f"NO. OF POINTS = {SAMPLES:6d}  RECORD LENGTH = 4.0 SEC",
             f"UNITS OF UNCOR ACCEL ARE SEC AND G/10.     MAX  = {own.peak / 10:7.4f} G, AT 1.0 SEC",
             "RMS ACCEL", *zeros(100, 5, 16), *zeros(50, 10, 8, ".3f"), *rows(pairs, 10),
@@ -194,12 +186,10 @@ def cosmos(code: str | None, per_line: int, form: str, fortran: str) -> Twin:
         own = block(sine(k, 0.01), form, per_line)
         comments = [f"|<SCNL>ABCD.{code}{'EZ'[k]}.XX.--"] if code else []
         lines += [
-            "Corrected acceleration    (Format v01.20 with 13 text lines)", "Nowhere, 2020",
-            "Hypocenter:", "Origin: 01/01/2020", "Statn No: 01-11111  Code:XX-ABCD  Nowhere",
-            "Coords:", "Recorder:", "Rcrd start time:",
+            "Corrected acceleration    (Format v01.20 with 13 text lines)", *3 * ["Nowhere"],
+            "Statn No: 01-11111  Code:XX-ABCD  Nowhere", *3 * ["Coords:"],
             f"Sta Chan  {k + 1}: {name} (Rcrdr Chan  1) Location:", "Raw record length = 4 sec",
-            f"Processed: 01/01/2020, Max = {own.peak:.5f} cm/sec2 at 1.0 sec", "Record filtered",
-            "Values used when unknown:   -999, -999.0",
+            f"Processed: 01/01/2020, Max = {own.peak:.5f} cm/sec2 at 1.0 sec", *2 * ["Filtered"],
             " 100 Integer-header values follow on  10 lines, Format= (10I8)",
             *zeros(100, 8, 10, _53=400 if azimuth is None else azimuth),
             " 100 Real-header values follow on  17 lines, Format= (6F13.6)",
@@ -280,18 +270,12 @@ def afad() -> Twin:
     names = {"N-S": 0.0, "E-W": 90.0, "U-D": None}
     table, directions = in_columns(["12.6f", "14.6f", "13.6f"], names)
     stated = {
-        "PLACE": "NOWHERE", "EARTHQUAKE DATE": "2020/01/01 (GMT)", "EPICENTER COORDINATES": "",
-        "EARTHQUAKE DEPTH (km)": 19, "EARTHQUAKE MAGNITUDE": 6.5, "STATION ID": 1111,
-        "STATION COORDINATES": "", "STATION ALTITUDE (m)": 66, "RECORDER TYPE": "",
-        "RECORDER SERIAL NO": 1, "RECORD TIME": "", "NUMBER OF DATA": SAMPLES,
+        "EARTHQUAKE DATE": "2020/01/01 (GMT)", "STATION ID": 1111, "NUMBER OF DATA": SAMPLES,
         "SAMPLING INTERVAL (sec)": DT, "RAW PGA VALUES (gal)": "(N-S) 999 (E-W) 999 (U-D) 999",
     }  # fmt: skip
     head = [f"{label:24s}: {value}" for label, value in stated.items()]
-    first, names_line = (
-        "STRONG GROUND MOTION RECORDS OF TURKIYE",
-        "       N-S          E-W          U-D",
-    )
-    return Twin(file(first, head, "", "", names_line, table), "gal", "1111", directions)
+    first, of_columns = "STRONG GROUND MOTION RECORDS OF TURKIYE", "    N-S         E-W         U-D"
+    return Twin(file(first, 11 * [""], head, of_columns, table), "gal", "1111", directions)
 
 
 def unam() -> Twin:
@@ -323,22 +307,12 @@ def peer() -> Twin:
 
 
 TWINS: dict[str, Callable[[], Twin]] = {
-    "dyna": dyna,
-    "geonet_v1a": lambda: geonet(is_raw=True),
-    "geonet_v2a": lambda: geonet(is_raw=False),
-    "knet": lambda: knet("E-W", "E-W", 90.0),
-    "kik_net": lambda: knet("4", "N-S", 0.0, " surface"),
-    "cesmd_v1": lambda: cesmd(is_raw=True),
-    "cesmd_v2": lambda: cesmd(is_raw=False),
-    "renadic": renadic,
-    "bhrc": bhrc,
+    "dyna": dyna, "renadic": renadic, "bhrc": bhrc, "smc": smc, "usc": usc, "cwb": cwb,
+    "afad": afad, "unam": unam, "peer": peer,
+    "geonet_v1a": lambda: geonet(is_raw=True), "geonet_v2a": lambda: geonet(is_raw=False),
+    "knet": lambda: knet("E-W", "E-W", 90.0), "kik_net": lambda: knet("4", "N-S", 0.0, " surface"),
+    "cesmd_v1": lambda: cesmd(is_raw=True), "cesmd_v2": lambda: cesmd(is_raw=False),
     "cosmos_v1": lambda: cosmos(None, 8, "10.5f", "8F10.5"),
     "cosmos_v2c": lambda: cosmos("HN", 1, "15.6E", "1E15.6"),
-    "smc": smc,
-    "usc": usc,
-    "cwb": cwb,
-    "afad": afad,
-    "unam": unam,
-    "peer": peer,
-}
+}  # fmt: skip
 """Writers by their formats."""
