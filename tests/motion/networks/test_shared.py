@@ -28,18 +28,11 @@ def test_table_of_the_readme_is_read():
 @pytest.mark.parametrize("row", table(), ids=lambda row: row[0])
 def test_file_is_read_as_its_readme_has_it(row):
     file, samples, step, peaks = row
-    names = [one.name for one in path("records").iterdir()]
-    (name,) = [name for name in names if name == file or _elided(name, file)]
-    records = read_file(path("records") / name, None, GRAVITY)
-    first = 1 if name.startswith("CUP") else 0  # its README has the second column
+    (whole,) = path("records").glob(file.replace("...", "*"))  # some names are cut in the README
+    records = read_file(whole, None, GRAVITY)
+    first = 1 if file.startswith("CUP") else 0  # its README has the second column
     for one, peak in zip(records[first:], peaks, strict=False):
         assert len(one.acceleration) == samples
         assert one.dt == pytest.approx(step, rel=1e-9)
         digit = 10.0 ** -len(peak.partition(".")[2]) if "e" not in peak else 1e-6
         assert np.abs(one.acceleration).max() == pytest.approx(float(peak), abs=0.51 * digit)
-
-
-def _elided(name: str, file: str) -> bool:
-    """Whether a name is that of a file whose README leaves parts of it out."""
-    parts = file.split("...")
-    return len(parts) > 1 and name.startswith(parts[0]) and name.endswith(parts[-1])
