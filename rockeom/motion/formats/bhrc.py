@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from rockeom.motion.formats.grammar import Component, Page, each_component, in_si
+from rockeom.motion.formats.grammar import Component, Page, each_until, in_si
 
-_BEGINS = r"\* VOL1DS FILE:"
+_BEGINS = r"^\* VOL1DS FILE:"
 TEXT, NUMBERS = 13, 14
 """Lines of text and of numbers at the head of each component; the latter are cut at 70 columns."""
 
@@ -15,16 +15,18 @@ def recognises(head: Sequence[str]) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """All components of a file."""
-    return [_component(page, first, last, gravity) for first, last in each_component(page, _BEGINS)]
+    return each_until(page, lambda first: _component(page, first, gravity))
 
 
-def _component(page: Page, first: int, last: int, gravity: float) -> Component:
+def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
+    """The component that begins at a line, and the line after its end."""
+    page.match(first, _BEGINS, "the first line of a component")
     name = page.match(first + 6, r"^COMP\s+([LVT])\d*", "the component, COMP L1")[1]
     station = page.match(
         first + 7, r"^(.*?)\s+Station\b.*\bAzimuth\s+L\s*(\d+)\s+T\s*(\d+)", "station and azimuths"
     )
     points = page.match(
-        first + 10, r"^NO\. OF POINTS\s*=\s*(\d+)\s+DURATION\s*=\s*(\S+)", "points and duration"
+        first + 10, r"^NO\. OF POINTS\s*=\s*(\d+)\s+DURATION\s*=\s*(\S+)\s*$", "points and duration"
     )
     page.match(first + 11, r"^UNITS ARE SECONDS AND G/10\s*$", "the unit, g/10")
     count = page.whole(first + 10, points[1], "the number of points")
@@ -32,11 +34,10 @@ def _component(page: Page, first: int, last: int, gravity: float) -> Component:
         page.match(n, r"^[\s\d.E+-]+$", "numbers of the header")
     values, after = page.fixed(first + TEXT + NUMBERS, count, [13] * 10, "value")
     page.match(after, r"^/&", "the end of the component")
-    if any(line.strip() for line in page.lines[after:last]):
-        raise page.error(after + 1, "a line after the end of the component")
     azimuth = {"L": float(station[2]), "T": float(station[3])}.get(name)
     dt = page.positive(first + 10, points[2], "the duration") / count
-    return Component(
+    component = Component(
         in_si(values, "g/10", gravity), dt, name, "g/10", first, azimuth, name == "V",
         station[1], page.lines[first + 1].strip(),
     )  # fmt: skip
+    return component, after + 1

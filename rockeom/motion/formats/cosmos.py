@@ -11,9 +11,12 @@ _FIRST = r"\(format v0?1\.\d+ with (\d+) text lines\)"
 _WHOLE = r"^\s*(\d+) integer-header values follow on\s+(\d+) lines, format=\s*\((\d+)I(\d+)\)"
 _REAL = r"^\s*(\d+) real-header values follow on\s+(\d+) lines, format=\s*(\(\S+\))"
 _COMMENTS = r"^\s*(\d+) comment line\(s\) follow"
-_DATA = r"^\s*(\d+)\s+(\S+) pts, approx\s+\S+\s+secs,\s*units=(\S+?)\((\d+)\),\s*format=(\(\S+\))"
-UNITS = {"02": "g", "04": "cm/s2", "4": "cm/s2", "2": "g"}
-"""Units of acceleration by their code."""
+_DATA = (
+    r"^\s*(\d+)\s+(?:raw\s+)?(\S+)\s+pts,\s*approx\s+\S+\s+secs,\s*"
+    r"units=\s*(\S+?)\s*\((\d+)\),\s*format=\s*(\(\S+\))"
+)
+UNITS = {("cm/sec2", 4): "cm/s2", ("g", 2): "g"}
+"""Units of acceleration by their name and code."""
 VERTICAL = (400, 401)
 """Azimuths, by code, of up and down."""
 AZIMUTH, STEP = 53, 61
@@ -52,7 +55,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
             f"this is a record of {data[2]}, not of acceleration",
             "take the accelerations of it",
         )
-    unit = UNITS.get(data[4])
+    unit = UNITS.get((data[3].lower(), int(data[4])))
     if unit is None:
         raise page.error(
             after,

@@ -1,5 +1,6 @@
 """CWB and CWA, Taiwan, free field (.dat): columns of time, U, N and E in gal."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,8 +21,8 @@ def components(page: Page, gravity: float) -> list[Component]:
     last = next((n for n, line in enumerate(page.lines, 1) if line.startswith("#Data:")), None)
     if last is None:
         raise page.error(None, "no line #Data: with the format of the values")
-    rate = _stated(page, "SampleRate\\(Hz\\)", last)
-    length = _stated(page, "RecordLength\\(sec\\)", last)
+    rate = _stated(page, "SampleRate(Hz)", last)
+    length = _stated(page, "RecordLength(sec)", last)
     unit_line, unit = page.find(r"^#AmplitudeUnit:\s*(\w+)", "the unit", 1, last)
     if unit[1].lower() != "gal":
         raise page.error(unit_line, f"the unit is {short(unit[1])}, not gal")
@@ -60,7 +61,7 @@ def components(page: Page, gravity: float) -> list[Component]:
 
 
 def _stated(page: Page, label: str, last: int) -> tuple[int, str]:
-    n, found = page.find(rf"^#{label}:\s*(\S+)", label, 1, last)
+    n, found = page.find(rf"^#{re.escape(label)}:\s*(\S+)\s*$", label, 1, last)
     return n, found[1]
 
 

@@ -22,7 +22,7 @@ def components(page: Page, gravity: float) -> list[Component]:
             n, r"^([A-Z][^:]*):(.*)$", "a line KEY: value of the header"
         ).groups()
         if key in lines:
-            raise page.error(n, f"{key} stands in line {lines[key][0]} already")
+            raise page.error(n, f"{key} is in line {lines[key][0]} already")
         lines[key] = n, value.strip()
 
     def stated(key: str) -> tuple[int, str]:

@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from rockeom.motion.formats.grammar import Component, Page, Peak, each_component, in_si
+from rockeom.motion.formats.grammar import Component, Page, Peak, each_until, in_si
 
 TEXT, NUMBERS = 16, 10
 """Lines of text and of numbers at the head of each component."""
 WIDTHS = [8] * 10
 BLOCKS = {"V1A": 1, "V2A": 3}
 """Blocks of values: acceleration, and in a corrected file velocity and displacement."""
-_BEGINS = r"(?:un)?corrected accelerogram \S+ GNS Science"
+_BEGINS = r"^(?:un)?corrected accelerogram \S+ GNS Science"
 
 
 def recognises(head: Sequence[str]) -> bool:
@@ -18,10 +18,12 @@ def recognises(head: Sequence[str]) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """All components of a file."""
-    return [_component(page, first, last, gravity) for first, last in each_component(page, _BEGINS)]
+    return each_until(page, lambda first: _component(page, first, gravity))
 
 
-def _component(page: Page, first: int, last: int, gravity: float) -> Component:
+def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
+    """The component that begins at a line, and the line after its end."""
+    page.match(first, _BEGINS, "the first line of a component")
     is_raw = page.lines[first - 1].lower().startswith("un")
     points = page.match(first + 9, r"^Number of points\s+(\d+)\s+Duration", "the number of points")
     count = page.whole(first + 9, points[1], "the number of points")
@@ -31,7 +33,7 @@ def _component(page: Page, first: int, last: int, gravity: float) -> Component:
         else r"^Instrument corrected data at()\s+(\S+)\s+sec intervals"
     )
     scale, dt = page.match(first + 10, steps, "the time step").groups()
-    component = page.match(first + 12, r"^Component\s+(\S+)", "the component")[1]
+    name = page.match(first + 12, r"^Component\s+(\S+)", "the component")[1]
     peak = page.match(
         first + 13, r"^Acceleration:\s+peak\s+(\S+)\s+mm/s/s", "the peak acceleration"
     )[1]
@@ -43,13 +45,12 @@ def _component(page: Page, first: int, last: int, gravity: float) -> Component:
     for _ in range(BLOCKS["V1A" if is_raw else "V2A"]):
         block, after = page.fixed(after, count, WIDTHS, "value")
         blocks.append(block)
-    if after <= last:
-        raise page.error(after, "a line after the last value of the component")
     factor = page.positive(first + 10, scale, "the unit of the readings") if scale else 1.0
     station = page.match(first + 1, r"^Site\s+(\S+)", "the site")[1]
-    return Component(
+    component = Component(
         in_si(factor * blocks[0], "mm/s2", gravity),
         page.positive(first + 10, dt, "the time step"),
-        component, "mm/s2", first, station=station, event=page.lines[first + 6].strip(),
+        name, "mm/s2", first, station=station, event=page.lines[first + 6].strip(),
         peak=Peak(peak, "mm/s2", first + 13),
-    ).directed()  # fmt: skip
+    )  # fmt: skip
+    return component.directed(), after

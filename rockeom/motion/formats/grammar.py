@@ -1,4 +1,4 @@
-"""What the grammars of all networks share: lines by number, fixed columns, components, peaks.
+"""Shared by the grammars of all networks: lines by number, fixed columns, components, peaks.
 
 A grammar is a module of this folder with two functions: `recognises`, whether the first lines of a
 file are its own, and `components`, all components of such a file in SI units. It reads each line
@@ -6,7 +6,7 @@ where it must be and refuses any other with the line, what was expected there, a
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.motion.components import azimuth_and_vertical
-from rockeom.motion.formats.text import Text, looks_numeric, number_of, numbers_of, short
+from rockeom.motion.formats.text import Text, number_of, numbers_of, short
 from rockeom.motion.units import factor
 from rockeom.numbers.checks import InputError
 
@@ -102,11 +102,11 @@ class Page:
         return self.lines[number - 1]
 
     def match(self, number: int, pattern: str, what: str) -> re.Match[str]:
-        """What a pattern finds in a line, where `what` stands."""
+        """The match of a pattern in a line that should give `what`."""
         text = self.line(number, what)
         found = re.search(pattern, text, re.IGNORECASE)
         if not found:
-            raise self.error(number, f"{what} is expected here, and not {short(text)}")
+            raise self.error(number, f"the line says {short(text)}, and should give {what}")
         return found
 
     def find(
@@ -120,10 +120,10 @@ class Page:
             if (m := re.search(pattern, self.lines[n - 1], re.IGNORECASE))
         ]
         if len(found) != 1:
-            there = f"in {len(found)} lines" if found else "in none"
+            there = f"{len(found)} lines do" if found else "none does"
             raise self.error(
                 found[1][0] if found else None,
-                f"{what} is expected in one line of {first} to {last}, and is {there}",
+                f"one of the lines {first} to {last} should give {what}: {there}",
             )
         return found[0]
 
@@ -174,8 +174,8 @@ class Page:
         """The numbers (n,) of fields, each of a line."""
         values = numbers_of(fields)
         if values is None:
-            n = next(i for i, field in enumerate(fields) if not looks_numeric(field))
-            number_of(fields[n], self.path, lines[n], f"{what} {n + 1}")
+            for n, (field, line) in enumerate(zip(fields, lines, strict=True), 1):
+                number_of(field, self.path, line, f"{what} {n}")
         return np.array(values)
 
     def ends(self, number: int) -> None:
@@ -223,13 +223,6 @@ def checked(page: Page, one: Component, gravity: float) -> Component:
 def in_si(values: np.ndarray, unit: str, gravity: float) -> np.ndarray:
     """Accelerations [m/s2] of values in a unit."""
     return values * factor(unit, gravity)
-
-
-def each_component(page: Page, begins: str) -> Iterator[tuple[int, int]]:
-    """First and last line of each component, all of which begin with such a line."""
-    starts = [n for n, line in enumerate(page.lines, 1) if re.match(begins, line, re.IGNORECASE)]
-    for first, after in zip(starts, [*starts[1:], len(page) + 1], strict=True):
-        yield first, after - 1
 
 
 def each_until(page: Page, read: Callable[[int], tuple[Component, int]]) -> list[Component]:

@@ -27,9 +27,7 @@ DIRECTIONS = {
 
 
 def recognises(head: Sequence[str]) -> bool:
-    return (
-        head[0].startswith("Origin Time ") and len(head) > 5 and head[5].startswith("Station Code")
-    )
+    return head[0].startswith(LABELS[0]) and sum(one[:COLUMN].strip() in LABELS for one in head) > 2
 
 
 def components(page: Page, gravity: float) -> list[Component]:

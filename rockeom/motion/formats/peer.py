@@ -38,7 +38,7 @@ def head_of(text: Text) -> list[str]:
 
 _OLD_STEP_LINE = re.compile(r"\bNPTS\s*,\s*DT\b", re.IGNORECASE)
 _NPTS = re.compile(r"\bNPTS\s*=\s*([^\s,]*)", re.IGNORECASE)
-_DT = re.compile(rf"\bDT\s*=\s*({NUMBER.pattern}|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
+_DT = re.compile(rf"\bDT\s*=\s*({NUMBER.pattern}(?=[\s,a-z]|$)|[^\s,]*)\s*([a-z]*)", re.IGNORECASE)
 _UNITS = re.compile(r"\bIN\s+UNITS?\s+OF\s+([A-Za-z][\w/*^]*)", re.IGNORECASE)
 _OTHER_UNITS = re.compile(
     r"\bUNITS?\s*[:=]\s*\(?([A-Za-z][\w/*^]*)|"

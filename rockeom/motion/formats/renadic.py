@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, each_until, in_si
-from rockeom.motion.formats.text import short
 
 TEXT = 13
 """Lines of text of each component; a hundred whole numbers and 58 reals follow."""
@@ -28,7 +27,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     name = page.match(first + 6, r"^CHAN\s+\d+:\s*(.*?)\s*(?:\(|$)", "the channel")[1]
     count = page.whole(
         first + 10,
-        page.match(first + 10, r"^NO\. OF POINTS\s*=\s*(\d+)", "the number of points")[1],
+        page.match(first + 10, r"^NO\. OF POINTS\s*=\s*(\d+)\s", "the number of points")[1],
         "the number of points",
     )
     peak = page.match(
@@ -48,7 +47,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
         worst = int(np.argmax(np.abs(steps - dt))) if count > 1 else 0
         raise page.error(
             begin + (2 * worst) // 10,
-            f"the times are not even: {short(str(time[worst]))} s and the next",
+            f"the times are not even: {time[worst]:g} s and the next",
         )
     return (
         Component(

@@ -19,8 +19,8 @@ NONE = 1.0e38
 
 
 def recognises(head: Sequence[str]) -> bool:
-    return (head[0][:1] in KINDS and head[0][1:2] == " " and head[1].strip() in ("*",)) or (
-        len(head) > TEXT and head[0][:2].strip() in KINDS and head[5].startswith("station =")
+    return head[0][:2].strip() in KINDS and any(
+        line.strip() == "*" or line.startswith("station =") for line in head[1:6]
     )
 
 

@@ -1,5 +1,6 @@
 """UNAM, Mexico, the standard file 2.0: a header of 109 lines, columns of the channels in gal."""
 
+import re
 from collections.abc import Sequence
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
@@ -20,7 +21,7 @@ def components(page: Page, gravity: float) -> list[Component]:
         raise page.error(None, "no line DATOS DE ACELERACION: in front of the values")
 
     def stated(label: str) -> tuple[int, str]:
-        n, found = page.find(rf"^{label}\s*:\s*(.*?)\s*$", label, 1, head)
+        n, found = page.find(rf"^{re.escape(label)}\s*:\s*(.*?)\s*$", label, 1, head)
         return n, found[1]
 
     def each(label: str) -> tuple[int, list[str]]:
@@ -30,23 +31,22 @@ def components(page: Page, gravity: float) -> list[Component]:
     n, unit = stated("UNIDADES DE LOS DATOS")
     if not unit.startswith("Gal"):
         raise page.error(n, f"the unit is {short(unit)}, not Gal")
-    line, names = each(r"ORIENTACION C1-C6 \(rumbo;orientacion\)")
+    line, names = each("ORIENTACION C1-C6 (rumbo;orientacion)")
     fields = {
-        "steps": each(r"INTERVALO DE MUESTREO, C1-C6 \(s\)"),
-        "counts": each("NUM\\. TOTAL DE MUESTRAS, C1-C6"),
-        "peaks": each(r"ACEL\. MAX\.\(Gal\), C1-C6"),
+        "steps": each("INTERVALO DE MUESTREO, C1-C6 (s)"),
+        "counts": each("NUM. TOTAL DE MUESTRAS, C1-C6"),
+        "peaks": each("ACEL. MAX.(Gal), C1-C6"),
     }
     for n, values in fields.values():
         if len(values) != len(names):
             raise page.error(n, f"{len(values)} values for {len(names)} channels of line {line}")
-    n, form = stated(r"FORMATO DATOS \(FORTRAN,10 campos/dato\)")
+    n, form = stated("FORMATO DATOS (FORTRAN,10 campos/dato)")
     columns = columns_of(page, n, form)
     if len(columns) != len(names):
         raise page.error(n, f"the format is {short(form)}, for {len(names)} channels")
-    if len(set(fields["steps"][1])) > 1 or len(set(fields["counts"][1])) > 1:
-        raise page.error(
-            fields["steps"][0], "the channels have different steps or numbers of values"
-        )
+    for n, values in (fields["steps"], fields["counts"]):
+        if len(set(values)) > 1:
+            raise page.error(n, f"the channels differ here, {', '.join(values)}, and must not")
     dt = page.positive(fields["steps"][0], fields["steps"][1][0], "the step")
     count = page.whole(fields["counts"][0], fields["counts"][1][0], "the number of values")
     if page.match(head + 3, r"^\s*(.*?)\s*$", "the directions")[1].split() != names:
@@ -58,7 +58,7 @@ def components(page: Page, gravity: float) -> list[Component]:
         _, after = page.fixed(after, len(names), columns, "value")
     page.ends(after)
     n, peaks = fields["peaks"]
-    station, event = stated("CLAVE DE LA ESTACION")[1], stated(r"FECHA DEL SISMO \[GMT\]")[1]
+    station, event = stated("CLAVE DE LA ESTACION")[1], stated("FECHA DEL SISMO [GMT]")[1]
     return [
         Component(
             in_si(column, "gal", gravity), dt, name, "gal", 1, station=station, event=event,

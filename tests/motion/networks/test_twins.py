@@ -1,0 +1,78 @@
+"""Each format of a network gives the motion that was written, to its printed digit."""
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.motion.formats import read_components
+from rockeom.motion.formats.text import opened
+from tests.motion.networks.twins import DT, GRAVITY, SAMPLES, TWINS
+from tests.refusals import refused, told
+
+NETWORKS = [name for name in TWINS if name != "peer"]
+SEVERAL = [name for name in TWINS if len(TWINS[name]().directions) > 1]
+
+
+def written(folder, name, text=None):
+    path = folder / f"{name}.txt"
+    path.write_text(TWINS[name]().text if text is None else text, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("name", NETWORKS)
+def test_twin_is_read_whole(tmp_path, name):
+    twin = TWINS[name]()
+    components = read_components(opened(written(tmp_path, name)), GRAVITY)
+    assert len(components) == len(twin.directions)
+    for one, direction in zip(components, twin.directions, strict=True):
+        assert len(one.acceleration) == SAMPLES
+        assert one.dt == pytest.approx(DT, rel=1e-12)
+        np.testing.assert_allclose(one.acceleration, direction.acceleration, rtol=1e-12, atol=1e-14)
+        described = (one.name, one.azimuth, one.is_vertical, one.unit, one.station)
+        assert described == (*direction[:3], twin.unit, twin.station)
+
+
+@pytest.mark.parametrize("name", TWINS)
+def test_component_is_chosen_by_number_name_or_azimuth(tmp_path, name):
+    path = written(tmp_path, name)
+    for n, direction in enumerate(TWINS[name]().directions, 1):
+        choices = [n] if name == "peer" else [n, direction.name.lower(), direction.azimuth]
+        for component in [choice for choice in choices if choice is not None]:
+            motion = rk.GroundMotion.read(path, component=component, gravity=GRAVITY)
+            np.testing.assert_allclose(
+                motion.samples, direction.acceleration, rtol=1e-12, atol=1e-14
+            )
+            assert motion.is_vertical is direction.is_vertical
+
+
+@pytest.mark.parametrize("name", SEVERAL)
+def test_several_components_are_listed_and_none_is_taken(tmp_path, name):
+    path, directions = written(tmp_path, name), TWINS[name]().directions
+    error = told(rk.GroundMotion.read, path)
+    assert "component" in error
+    assert all(direction.name in error for direction in directions)
+    for component in ("nowhere", 45.5):
+        argument, _ = refused(rk.GroundMotion.read, path, component=component)
+        assert argument == "component"
+
+
+@pytest.mark.parametrize("name", [name for name in NETWORKS if name not in ("afad", "bhrc")])
+def test_stated_peak_is_that_of_the_values(tmp_path, name):
+    """Another gravity moves no peak: values and peak are compared in the unit of the file."""
+    path, text = written(tmp_path, name), TWINS[name]().text
+    for one in read_components(opened(path), 9.80665):
+        lines = text.splitlines()
+        stated = one.peak.text
+        lines[one.peak.line - 1] = lines[one.peak.line - 1].replace(
+            stated, _other(stated, -3 if name == "usc" else -1)
+        )
+        written(tmp_path, name, "\n".join(lines))
+        error = told(read_components, opened(path), GRAVITY)
+        assert "stated peak" in error
+        assert "stated_peak=False" in error
+        assert read_components(opened(path), GRAVITY, stated_peak=False)
+
+
+def _other(number: str, place: int) -> str:
+    """With another digit at a place; USC's peak has two more digits than its values."""
+    return number[:place] + str((int(number[place]) + 4) % 10) + number[place:][1:]
