@@ -51,18 +51,15 @@ def dyna(lines: list[str]) -> list[Read]:
     return [Read(step, 0.01 * np.array([number(text) for text in lines[64 : 64 + count]]))]
 
 
-def geonet(lines: list[str]) -> list[Read]:
-    every, first = [], 0
-    while first < len(lines):
-        head = lines[first : first + 26]
-        is_raw = head[0][:2].lower() == "un"
-        count = int(head[9].split()[3])
-        words = head[10].split()
-        step = number(words[10 if is_raw else 4])
-        scale = number(words[5]) if is_raw else 1.0
-        every.append(Read(step, 0.001 * scale * cells(lines, first + 26, count, *10 * [8])))
-        first += 26 + (1 if is_raw else 3) * -(-count // 10)
-    return every
+def geonet(lines: list[str], first: int) -> tuple[Read, int]:
+    head = lines[first : first + 26]
+    is_raw = head[0][:2].lower() == "un"
+    count = int(head[9].split()[3])
+    words = head[10].split()
+    step = number(words[10 if is_raw else 4])
+    scale = number(words[5]) if is_raw else 1.0
+    own = cells(lines, first + 26, count, *10 * [8])
+    return Read(step, 0.001 * scale * own), first + 26 + (1 if is_raw else 3) * -(-count // 10)
 
 
 def knet(lines: list[str]) -> list[Read]:
@@ -72,62 +69,48 @@ def knet(lines: list[str]) -> list[Read]:
     return [Read(1 / hertz, 0.01 * number(gal) / number(counts) * (own - own.mean()))]
 
 
-def cesmd(lines: list[str]) -> list[Read]:
-    every, first = [], 0
-    while first < len(lines):
-        is_raw = lines[first][:2].lower() == "un"
-        last = next(n for n in range(first, len(lines)) if lines[n].startswith("/&"))
-        begins = next(
-            n
-            for n in range(first, last)
-            if re.match(r"\s*\d+ (accelerogram points at|points of accel)", lines[n], re.I)
-        )
-        words = lines[begins].split()
-        width = 9 if is_raw else 10
-        assert f"8f{width}." in words[-1].lower()
-        own = cells(lines, begins + 1, int(words[0]), *8 * [width])
-        every.append(Read(1 / number(words[4]), G * own) if is_raw
-                     else Read(number(words[8]), 0.01 * own))  # fmt: skip
-        first = last + 1
-    return every
+def cesmd(lines: list[str], first: int) -> tuple[Read, int]:
+    is_raw = lines[first][:2].lower() == "un"
+    last = next(n for n in range(first, len(lines)) if lines[n].startswith("/&"))
+    begins = next(
+        n
+        for n in range(first, last)
+        if re.match(r"\s*\d+ (accelerogram points at|points of accel)", lines[n], re.I)
+    )
+    words = lines[begins].split()
+    width = 9 if is_raw else 10
+    assert f"8f{width}." in words[-1].lower()
+    own = cells(lines, begins + 1, int(words[0]), *8 * [width])
+    component = (
+        Read(1 / number(words[4]), G * own) if is_raw else Read(number(words[8]), 0.01 * own)
+    )
+    return component, last + 1
 
 
-def renadic(lines: list[str]) -> list[Read]:
-    every, first = [], 0
-    while first < len(lines):
-        count = int(lines[first + 10].split("=")[1].split()[0])
-        pairs = cells(lines, first + 27, 2 * count, *10 * [7])
-        step = round((pairs[-2] - pairs[0]) / (count - 1), 6)
-        every.append(Read(step, 0.1 * G * pairs[1::2]))
-        first += 27 + -(-2 * count // 10) + 1
-    return every
+def renadic(lines: list[str], first: int) -> tuple[Read, int]:
+    count = int(lines[first + 10].split("=")[1].split()[0])
+    pairs = cells(lines, first + 27, 2 * count, *10 * [7])
+    step = round((pairs[-2] - pairs[0]) / (count - 1), 6)
+    return Read(step, 0.1 * G * pairs[1::2]), first + 27 + -(-2 * count // 10) + 1
 
 
-def bhrc(lines: list[str]) -> list[Read]:
-    every, first = [], 0
-    while first < len(lines):
-        _, points, duration = lines[first + 10].split("=")
-        count = int(points.split()[0])
-        own = cells(lines, first + 27, count, *10 * [13])
-        every.append(Read(number(duration) / count, 0.1 * G * own))
-        first += 27 + -(-count // 10) + 1
-    return every
+def bhrc(lines: list[str], first: int) -> tuple[Read, int]:
+    _, points, duration = lines[first + 10].split("=")
+    count = int(points.split()[0])
+    own = cells(lines, first + 27, count, *10 * [13])
+    return Read(number(duration) / count, 0.1 * G * own), first + 27 + -(-count // 10) + 1
 
 
-def cosmos(lines: list[str]) -> list[Read]:
-    every, first = [], 0
-    while first < len(lines):
-        reals = cells(lines, first + 25, 100, *6 * [13])
-        comments = int(lines[first + 42].split()[0])
-        begins = first + 43 + comments
-        count = int(lines[begins].split()[0])
-        per, width = (8, 10) if "8F10." in lines[begins].upper() else (1, 15)
-        assert f"({per}{'F' if per == 8 else 'E'}{width}." in lines[begins].upper()
-        own = cells(lines, begins + 1, count, *per * [width])
-        unit = G if "g(02)" in lines[begins].lower() else 0.01
-        every.append(Read(reals[61] / 1000, unit * own))
-        first = begins + 1 + -(-count // per) + 1
-    return every
+def cosmos(lines: list[str], first: int) -> tuple[Read, int]:
+    reals = cells(lines, first + 25, 100, *6 * [13])
+    comments = int(lines[first + 42].split()[0])
+    begins = first + 43 + comments
+    count = int(lines[begins].split()[0])
+    per, width = (8, 10) if "8F10." in lines[begins].upper() else (1, 15)
+    assert f"({per}{'F' if per == 8 else 'E'}{width}." in lines[begins].upper()
+    own = cells(lines, begins + 1, count, *per * [width])
+    unit = G if "g(02)" in lines[begins].lower() else 0.01
+    return Read(reals[61] / 1000, unit * own), begins + 1 + -(-count // per) + 1
 
 
 def smc(lines: list[str]) -> list[Read]:
@@ -184,11 +167,14 @@ def peer(lines: list[str]) -> list[Read]:
     return [Read(number(re.sub(r"[a-z]+$", "", step.strip(","), flags=re.I)), G * own)]
 
 
-ORACLES: dict[str, Callable[[list[str]], list[Read]]] = {
-    "geonet_v1a": geonet, "geonet_v2a": geonet, "kik_net": knet, "cesmd_v1": cesmd,
-    "cesmd_v2": cesmd, "cosmos_v1": cosmos, "cosmos_v2c": cosmos, "dyna": dyna, "knet": knet,
-    "renadic": renadic, "bhrc": bhrc, "smc": smc, "usc": usc, "cwb": cwb, "afad": afad,
-    "unam": unam, "peer": peer,
+ONE_AFTER_THE_OTHER: dict[str, Callable[[list[str], int], tuple[Read, int]]] = {
+    "geonet_v1a": geonet, "geonet_v2a": geonet, "cesmd_v1": cesmd, "cesmd_v2": cesmd,
+    "cosmos_v1": cosmos, "cosmos_v2c": cosmos, "renadic": renadic, "bhrc": bhrc,
+}  # fmt: skip
+"""The component that begins at a line, and the index of the line after it."""
+WHOLE: dict[str, Callable[[list[str]], list[Read]]] = {
+    "dyna": dyna, "knet": knet, "kik_net": knet, "smc": smc, "usc": usc, "cwb": cwb,
+    "afad": afad, "unam": unam, "peer": peer,
 }  # fmt: skip
 
 
@@ -201,4 +187,10 @@ def read(name: str, raw: bytes) -> list[Read]:
     lines = re.split(r"\r\n|\r|\n", text)
     while not lines[-1].strip():
         del lines[-1]
-    return ORACLES[name](lines)
+    if name in WHOLE:
+        return WHOLE[name](lines)
+    every, first = [], 0
+    while first < len(lines):
+        component, first = ONE_AFTER_THE_OTHER[name](lines, first)
+        every.append(component)
+    return every
