@@ -209,7 +209,8 @@ def checked(page: Page, one: Component, gravity: float) -> Component:
     text, unit, line, digit = one.peak
     stated = abs(number_of(text, page.path, line, "the stated peak"))
     to_si = factor(unit, gravity)
-    last = 10.0 ** int(Decimal(text.lower().replace("d", "e")).as_tuple().exponent)
+    exponent = int(Decimal(text.lower().replace("d", "e")).as_tuple().exponent)
+    last = 10.0 ** (exponent if stated else min(exponent, 0))  # "0E400" has no digit there
     own = float(np.abs(one.acceleration).max()) / to_si
     if abs(own - stated) > 0.5 * max(last, digit) + 1e-9 * stated:
         raise page.error(

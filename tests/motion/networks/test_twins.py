@@ -1,5 +1,7 @@
 """Each format of a network gives the motion that was written, to its printed digit."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -76,3 +78,8 @@ def test_stated_peak_is_that_of_the_values(tmp_path, name):
 def _other(number: str, place: int) -> str:
     """With another digit at a place; USC's peak has two more digits than its values."""
     return number[:place] + str((int(number[place]) + 4) % 10) + number[place:][1:]
+
+
+def test_stated_peak_of_zero_with_an_exponent_is_no_overflow(tmp_path):
+    text = re.sub(r"PGA_CM/S\^2: \S+", "PGA_CM/S^2: 0E400", TWINS["dyna"]().text)
+    assert "stated peak" in told(read_components, opened(written(tmp_path, "dyna", text)), GRAVITY)
