@@ -3,8 +3,10 @@
 import re
 from collections.abc import Sequence
 
+from rockeom.files import in_text
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
 from rockeom.motion.formats.text import short
+from rockeom.numbers.callers import warn_caller
 
 
 def recognises(head: Sequence[str]) -> bool:
@@ -54,9 +56,15 @@ def components(page: Page, gravity: float) -> list[Component]:
             head + 3, f"the directions are not those of line {line}, {', '.join(names)}"
         )
     table, after = page.fixed(head + 5, count * len(names), columns, "value")
-    while after <= len(page) and page.lines[after - 1].strip():  # more rows than the header counts
+    end = after
+    while after <= len(page) and page.lines[after - 1].strip():
         _, after = page.fixed(after, len(names), columns, "value")
     page.ends(after)
+    if after > end:
+        warn_caller(
+            f"{in_text(page.path).name}: the header counts {count} rows, and {after - end} more "
+            f"from line {end} on are left out"
+        )
     n, peaks = fields["peaks"]
     station, event = stated("CLAVE DE LA ESTACION")[1], stated("FECHA DEL SISMO [GMT]")[1]
     return [

@@ -73,3 +73,12 @@ def test_error_names_line_cause_and_remedy(tmp_path, one):
     assert at in error
     assert one.words in error
     assert one.remedy in error.partition("Remedy: ")[2]
+
+
+def test_rows_beyond_those_counted_are_left_out_with_a_warning(tmp_path):
+    path, text = tmp_path / "more.txt", TWINS["unam"]().text
+    path.write_text(text + text.splitlines()[-1] + "\n")
+    with pytest.warns(UserWarning, match=r"more.txt: the header counts 400 rows, and 1 more from"):
+        motion = GroundMotion.read(path, component="V")
+    assert motion.samples is not None
+    assert len(motion.samples) == 400
