@@ -79,7 +79,8 @@ def read_file(
     return [
         Record(
             one.acceleration, one.dt, name if len(every) == 1 else f"{name}, {one.name}",
-            f"{in_text(path).name}, {one.name} at {one.station}", one.is_vertical, one.name,
+            f"{in_text(path).name}, {one.name} at {one.station}"
+            + (", turned positive upwards" if one.is_down else ""), one.is_vertical, one.name,
             one.azimuth,
         )
         for one in every

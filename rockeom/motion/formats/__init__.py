@@ -38,7 +38,9 @@ def grammar_of(text: Text) -> ModuleType | None:
 
 
 def read_components(text: Text, gravity: float, stated_peak: bool = True) -> list[Component] | None:
-    """All components of a file of a network; None for a file that no grammar recognises.
+    """All components of a file of a network, vertical ones positive upwards.
+
+    None for a file that no grammar recognises.
 
     stated_peak : whether a peak that the file states must be that of its values.
     """
@@ -47,4 +49,4 @@ def read_components(text: Text, gravity: float, stated_peak: bool = True) -> lis
         return None
     page = Page(text)
     found = grammar.components(page, gravity)
-    return [checked(page, one, gravity) if stated_peak else one for one in found]
+    return [(checked(page, one, gravity) if stated_peak else one).upward() for one in found]

@@ -6,6 +6,7 @@ their number, step, unit and FORTRAN format, in a V2 velocities and displacement
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +26,12 @@ BLOCKS = {"accel": "cm/sec2", "veloc": "cm/sec", "displ": "cm"}
 """Blocks of values in a V2 and their units."""
 
 
+TEXT = {True: 13, False: 25}
+"""Lines of text of each component of a raw file, a V1, and of a corrected one, a V2."""
+UP = "500"
+"""Azimuth, the 27th whole number of the header, of a vertical component."""
+
+
 def recognises(head: Sequence[str]) -> bool:
     text = "\n".join(head).upper()
     return bool(re.match(_FIRST, head[0], re.IGNORECASE)) and "RENADIC" not in text
@@ -42,7 +49,8 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
         r"^Chan\s+\d+:\s*(.*?)\s*(?:\(.*)?$", "the channel", first + 5, first + 8
     )
     station = page.find(r"^Station No\.?\s*(\S+)", "the station", first, first + 8)[1][1]
-    if kind.lower().startswith("un"):
+    is_raw = kind.lower().startswith("un")
+    if is_raw:
         values, unit, dt, after, peak = _raw(page, first)
     else:
         values, unit, dt, after, peak = _corrected(page, first)
@@ -51,6 +59,12 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
         in_si(values, unit, gravity), dt, found[1], unit, first, station=station,
         event=page.lines[channel].strip(), peak=peak,
     )  # fmt: skip
+    code = page.line(first + TEXT[is_raw] + 1, "whole numbers of the header")[50:55].strip()
+    if code == UP:
+        is_down = found[1][:1].upper() == "D"
+        return replace(component, is_vertical=True, is_down=is_down), after + 1
+    if code.isdecimal() and int(code) <= 360:
+        return replace(component, azimuth=float(int(code) % 360)), after + 1
     return component.directed(), after + 1
 
 

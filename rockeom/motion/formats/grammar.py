@@ -54,6 +54,8 @@ class Component:
         Azimuth, clockwise from north [degrees]; None where the file gives none.
     is_vertical : bool, optional
         Whether the file says that it is vertical.
+    is_down : bool, optional
+        Whether it is vertical and the file has it positive downwards.
     station : str, optional
         Station, as the file names it.
     event : str, optional
@@ -72,11 +74,17 @@ class Component:
     station: str = ""
     event: str = ""
     peak: Peak | None = None
+    is_down: bool = False
+
+    def upward(self) -> "Component":
+        """Positive upwards, where it is vertical."""
+        return replace(self, acceleration=-self.acceleration) if self.is_down else self
 
     def directed(self) -> "Component":
         """With azimuth and direction by its name, where the file has no field of its own."""
         azimuth, is_vertical = azimuth_and_vertical(self.name)
-        return replace(self, azimuth=azimuth, is_vertical=is_vertical)
+        is_down = is_vertical and self.name.strip()[:1].upper() == "D"
+        return replace(self, azimuth=azimuth, is_vertical=is_vertical, is_down=is_down)
 
 
 class Page:

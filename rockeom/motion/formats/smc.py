@@ -1,6 +1,7 @@
 """USGS, SMC (.smc): 11 lines of text, 48 whole numbers, 50 reals, comments and values."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 from rockeom.motion.formats.text import short
@@ -49,11 +50,13 @@ def components(page: Page, gravity: float) -> list[Component]:
     rate = reals[1]
     if not 0 < rate < NONE:
         raise page.error(TEXT + WHOLE + 1, f"{rate:g} samples a second")
-    is_vertical = round(whole[12]) in (0, 180)
-    return [
-        Component(
-            in_si(values, "cm/s2", gravity), 1 / float(rate), name, "cm/s2", 1,
-            None if is_vertical else float(whole[13]) % 360, is_vertical, station,
-            page.lines[3].strip(), Peak(peak, "cm/s2", 7),
-        )
-    ]  # fmt: skip
+    none, tilt, azimuth = round(whole[0]), round(whole[12]), round(whole[13])
+    component = Component(
+        in_si(values, "cm/s2", gravity), 1 / float(rate), name, "cm/s2", 1, station=station,
+        event=page.lines[3].strip(), peak=Peak(peak, "cm/s2", 7),
+    )  # fmt: skip
+    if tilt in (0, 180):
+        return [replace(component, is_vertical=True, is_down=tilt == 180)]
+    if none in (tilt, azimuth):
+        return [component.directed()]
+    return [replace(component, azimuth=float(azimuth % 360))]

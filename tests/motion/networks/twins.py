@@ -120,7 +120,7 @@ def knet(direction: str, name: str, azimuth: float, place: str = "") -> Twin:
 def cesmd(is_raw: bool) -> Twin:
     lines, directions = [], []
     unit = GRAVITY if is_raw else 0.01
-    for k, (name, azimuth) in enumerate({"360 Deg": 0.0, "90 Deg": 90.0, "Up": None}.items()):
+    for k, (name, azimuth) in enumerate({"360 Deg": 0.0, "90 Deg": 90.0, "Up - roof": None}.items()):
         own = block(sine(k, unit), "9.6f" if is_raw else "10.5f", 8)
         text = [
             "Uncorrected Accelerogram Data", *2 * ["Preliminary Processing"], "11111-L1-20001.00",
@@ -140,7 +140,9 @@ def cesmd(is_raw: bool) -> Twin:
                 unit_of = ("cm/sec2.", "cm/sec. ", "cm.     ")[n]
                 data += [f"{head}{unit_of} (8f10.5)"]
                 data += block(own.values / 10**n, "10.5f", 8).lines
-        lines += [*text, *zeros(100, 5, 16), *zeros(66, 10, 8, ".6f"), *data]
+        text += ((13 if is_raw else 25) - len(text)) * [""]
+        code = 500 if azimuth is None else azimuth
+        lines += [*text, *zeros(100, 5, 16, _26=code), *zeros(66, 10, 8, ".6f"), *data]
         lines += [f"/&  ----------  End of data for channel  {k + 1}  ----------"]
         directions.append(Direction(name, azimuth, azimuth is None, unit * own.values))
     return Twin(file(lines), "g" if is_raw else "cm/s2", "11111", directions)
