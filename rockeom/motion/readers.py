@@ -76,6 +76,9 @@ def read_file(
         what = f"its format states the unit, {every[0].unit}"
         raise InputError.at(path, None, what, "leave {units} out", "units")
     name = components.name_of(path)
+    (one, *others) = every
+    if not others and one.azimuth is None and not one.is_vertical:  # the name of the file may tell
+        every = [replace(one, is_vertical=components.is_vertical(name))]
     return [
         Record(
             one.acceleration, one.dt, name if len(every) == 1 else f"{name}, {one.name}",

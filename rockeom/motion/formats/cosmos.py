@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,8 +18,8 @@ _DATA = (
 )
 UNITS = {("cm/sec2", 4): "cm/s2", ("g", 2): "g"}
 """Units of acceleration by their name and code."""
-VERTICAL = (400, 401)
-"""Azimuths, by code, of up and down."""
+UP, DOWN = (400, 402), 401
+"""Azimuths, by code, of vertical components: up, of no stated sense, and down."""
 AZIMUTH, STEP = 53, 61
 """Places, from 0, of the azimuth among the whole numbers and of the step [ms] among the reals."""
 _SCNL = r"<SCNL>\s*\S+?\.(\w{3})\."
@@ -86,15 +87,18 @@ def _described(
     azimuth = round(whole[AZIMUTH])
     channel = r"^Sta (?:Cha|Chan)\s*:?\s*(?:\S+?)\s*:\s*(.*?)\s*(?:\(Rcrdr|$)"
     name = page.match(first + 8, channel, "the channel")[1]
-    is_vertical = azimuth in VERTICAL
     if code := next((m[1] for text in comments if (m := re.search(_SCNL, text))), None):
-        name, is_vertical = code, code.endswith("Z")
+        name = code
     peak = None
     if found := re.search(r"\bMax\s*=\s*(\S+)\s+cm/sec2", page.lines[first + 9], re.IGNORECASE):
         peak = Peak(found[1], "cm/s2", first + 10)
-    known = 0 <= azimuth <= 360 and not is_vertical
-    return Component(
-        values, dt, name, unit, first, float(azimuth % 360) if known else None, is_vertical,
-        page.match(first + 4, r"\bCode:\s*(\S+)", "the station's code")[1],
-        page.lines[first].strip(), peak,
+    component = Component(
+        values, dt, name, unit, first, peak=peak,
+        station=page.match(first + 4, r"\bCode:\s*(\S+)", "the station's code")[1],
+        event=page.lines[first].strip(),
     )  # fmt: skip
+    if azimuth in (*UP, DOWN) or (code and code.upper().endswith("Z")):
+        return replace(component, is_vertical=True, is_down=azimuth == DOWN)
+    if 1 <= azimuth <= 360:
+        return replace(component, azimuth=float(azimuth % 360))
+    return component.directed()

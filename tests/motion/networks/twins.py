@@ -120,7 +120,9 @@ def knet(direction: str, name: str, azimuth: float, place: str = "") -> Twin:
 def cesmd(is_raw: bool) -> Twin:
     lines, directions = [], []
     unit = GRAVITY if is_raw else 0.01
-    for k, (name, azimuth) in enumerate({"360 Deg": 0.0, "90 Deg": 90.0, "Up - roof": None}.items()):
+    for k, (name, azimuth) in enumerate(
+        {"360 Deg": 0.0, "90 Deg": 90.0, "Up - roof": None}.items()
+    ):
         own = block(sine(k, unit), "9.6f" if is_raw else "10.5f", 8)
         text = [
             "Uncorrected Accelerogram Data", *2 * ["Preliminary Processing"], "11111-L1-20001.00",
@@ -213,7 +215,7 @@ def smc() -> Twin:
         "Moment Mag=      7.1", "station = Nowhere, 1 Main Street     component=    350",
         f"epicentral dist =     89.0       pk     = {own.peak:8.4f}", "inst type=", "*", "*", "*",
     ]  # fmt: skip
-    whole = zeros(48, 10, 8, _12=90, _13=350, _15=2, _16=SAMPLES)
+    whole = zeros(48, 10, 8, _0=-32768, _12=90, _13=350, _15=2, _16=SAMPLES)
     reals = zeros(50, 15, 5, ".7E", _1=1 / DT)
     values = rows([f"{field:>10s}" for field in fields], 8)
     directions = [Direction("350", 350.0, False, 0.01 * own.values)]
