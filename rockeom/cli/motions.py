@@ -242,8 +242,7 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
     if args.layout is not None and args.dt is None:
         raise UsageError(f"--layout {args.layout} needs --dt, the time step of the file")
     if args.columns is None and args.dt is None:
-        name = getattr(args, "component", None)
-        component = int(name) if name is not None and name.isdecimal() else name
+        component = getattr(args, "component", None)
         return GroundMotion.read(path, units=args.units, component=component)
     columns = [int(c) if c.isdecimal() else c for c in args.columns or ()]
     if (args.dt is None and len(columns) != 2) or len(columns) > 2 - (args.dt is not None):

@@ -101,16 +101,22 @@ def one_component(path: FilePath, records: list[Record], component: str | float 
         what = f"it holds {len(records)} components: {listed}"
         remedy = "choose one by {component}, or read all by rk.Recording.read"
         raise InputError.at(path, None, what, remedy, "component")
-    if isinstance(component, str):
-        found = [one for one in records if one.component.lower() == component.strip().lower()]
-    elif isinstance(component, int) and 1 <= component <= len(records):
-        found = [records[component - 1]]
-    else:
-        found = [one for one in records if one.azimuth == float(component) % 360]
+    found = [one for one in records if one.component.lower() == str(component).strip().lower()]
+    number = _whole(component)
+    if not found and number is not None:
+        numbered = records[number - 1 : number] if number > 0 else []
+        found = numbered or [one for one in records if one.azimuth == number % 360]
     if len(found) != 1:
         what = f"{len(found)} of its components are {described(component)}: {listed}"
-        raise InputError.at(path, None, what, "give {component} as one of these", "component")
+        raise InputError.at(path, None, what, "give {component} as a number or name", "component")
     return found[0]
+
+
+def _whole(component: str | float) -> int | None:
+    """The whole number that a component is given by; a text may hold it."""
+    if isinstance(component, str):
+        return int(component) if component.strip().isdecimal() else None
+    return int(component) if is_number(component) and float(component).is_integer() else None
 
 
 def read(

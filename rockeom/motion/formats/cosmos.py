@@ -34,8 +34,11 @@ def components(page: Page, gravity: float) -> list[Component]:
     return each_until(page, lambda first: _component(page, first, gravity))
 
 
-def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
-    """The component that begins at a line, and the line after its end."""
+def _component(page: Page, first: int, gravity: float) -> tuple[Component | None, int]:
+    """The component that begins at a line, and the line after its end.
+
+    None for velocities and displacements behind accelerations.
+    """
     texts = int(page.match(first, _FIRST, "the first line of a COSMOS file")[1])
     after = first + texts
     header = page.match(after, _WHOLE, "the whole numbers of the header")
@@ -50,22 +53,19 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     comments = [page.match(n, r"^\s*(\|.*)", "a comment, |")[1] for n in lines]
     after = lines.stop
     data = page.match(after, _DATA, "the number, unit and format of the values")
-    if not data[2].lower().startswith("acc"):
-        raise page.error(
-            after,
-            f"this is a record of {data[2]}, not of acceleration",
-            "take the accelerations of it",
-        )
-    unit = UNITS.get((data[3].lower(), int(data[4])))
-    if unit is None:
-        raise page.error(
-            after,
-            f"the unit is {data[3]} ({data[4]}), and not cm/sec2 (04) or g (02)",
-            "take the record in units, V1 or V2",
-        )
+    is_acceleration = data[2].lower().startswith("acc")
+    if not is_acceleration and first == 1:
+        what = f"this is a record of {data[2]}, not of acceleration"
+        raise page.error(after, what, "take the accelerations of it")
+    unit = UNITS.get((data[3].lower().replace("^", ""), int(data[4])))
+    if unit is None and is_acceleration:
+        what = f"the unit is {data[3]} ({data[4]}), and not cm/sec2 (04) or g (02)"
+        raise page.error(after, what, "take the record in units, V1 or V2")
     count = page.whole(after, data[1], "the number of values")
     values, after = page.fixed(after + 1, count, columns_of(page, after, data[5]), "value")
     page.match(after, r"^\s*(?:/&|end-of-data)", "the end of the component")
+    if unit is None or not is_acceleration:
+        return None, after + 1
     return _described(
         page, first, in_si(values, unit, gravity), unit, whole, reals, comments
     ), after + 1

@@ -196,14 +196,18 @@ class Page:
                 )  # fmt: skip
 
 
-_FORTRAN = re.compile(r"\(?(\d*)(?:[fegd]|1p\d*e)(\d+)\.\d+\)?", re.IGNORECASE)
+_FORTRAN = re.compile(
+    r"\(?(?:1p,?(?=\d*\(?[ed]))?(\d*)\(?(?:es|[fegd])(\d+)\.\d+(?:e\d+)?\)*", re.IGNORECASE
+)
+"""One kind of column, times a number; 1P leaves fields with an exponent as they are."""
 
 
 def columns_of(page: Page, line: int, text: str) -> list[int]:
     """Widths of the columns of a FORTRAN format such as "(8F10.3)", which a line states."""
-    found = _FORTRAN.fullmatch(text.strip())
+    found = _FORTRAN.fullmatch(text.replace(" ", ""))
     if not found or not 0 < int(found[2]) < 100 or not 0 < int(found[1] or 1) < 1000:
-        raise page.error(line, f"the format is {short(text)}, not such as (8F10.3)")
+        what = f"the format is {short(text)}, not such as (8F10.3)"
+        raise page.error(line, what, "export the record with columns of one kind")
     return [int(found[2])] * int(found[1] or 1)
 
 
@@ -234,10 +238,14 @@ def in_si(values: np.ndarray, unit: str, gravity: float) -> np.ndarray:
     return values * factor(unit, gravity)
 
 
-def each_until(page: Page, read: Callable[[int], tuple[Component, int]]) -> list[Component]:
-    """All components of a file, each read from a line on, up to the line after its end."""
+def each_until(page: Page, read: Callable[[int], tuple[Component | None, int]]) -> list[Component]:
+    """All components of a file, each read from a line on, up to the line after its end.
+
+    None stands for a block that is passed over.
+    """
     found, first = [], 1
     while any(line.strip() for line in page.lines[first - 1 :]):
         one, first = read(first)
-        found.append(one)
+        if one is not None:
+            found.append(one)
     return found

@@ -37,7 +37,7 @@ SPOILED = [
     Spoiled("knet", r"E-W", "7", 13, "direction is '7', not one of N-S, E-W, U-D"),
     Spoiled("kik_net", r"(Memo.*\n) ", r"\1", 18, "where 8 counts in fixed columns have 71"),
     Spoiled("cesmd_v1", r"units of g", "units of counts", 30, "unit is 'counts', not g"),
-    Spoiled("cesmd_v2", r"\(8f10.5\)", "(free)", 42, "format is '(free)', not such as (8F10.3)"),
+    Spoiled("cesmd_v2", r"\(8f10.5\)", "(free)", 42, "format is '(free)', not such", "one kind"),
     Spoiled("renadic", r"G/10\.", "CM/S2.", 12, "should give the unit and the peak"),
     Spoiled("renadic", r"  0.050 ", "  0.060 ", 29, "times are not even: 0.06 s"),
     Spoiled("bhrc", r"/&\n", "", 68, "should give the end of the component"),

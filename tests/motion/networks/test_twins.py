@@ -38,13 +38,19 @@ def test_twin_is_read_whole(tmp_path, name):
 def test_component_is_chosen_by_number_name_or_azimuth(tmp_path, name):
     path = written(tmp_path, name)
     for n, direction in enumerate(TWINS[name]().directions, 1):
-        choices = [n] if name == "peer" else [n, direction.name.lower(), direction.azimuth]
+        choices = [n] if name == "peer" else [n, str(n), direction.name.lower(), direction.azimuth]
         for component in [choice for choice in choices if choice is not None]:
             motion = rk.GroundMotion.read(path, component=component, gravity=GRAVITY)
             np.testing.assert_allclose(
                 motion.samples, direction.acceleration, rtol=1e-12, atol=1e-14
             )
             assert motion.is_vertical is direction.is_vertical
+
+
+@pytest.mark.parametrize("component", [45, 7, 1.5, float("nan"), True, [1], b"N", "N-E"])
+def test_component_that_is_none_is_refused(tmp_path, component):
+    with pytest.raises(rk.InputError, match=r"1 U, 2 N, 3 E\. Remedy: give component= as a number"):
+        rk.GroundMotion.read(written(tmp_path, "cwb"), component=component)
 
 
 @pytest.mark.parametrize("name", SEVERAL)
@@ -83,3 +89,21 @@ def _other(number: str, place: int) -> str:
 def test_stated_peak_of_zero_with_an_exponent_is_no_overflow(tmp_path):
     text = re.sub(r"PGA_CM/S\^2: \S+", "PGA_CM/S^2: 0E400", TWINS["dyna"]().text)
     assert "stated peak" in told(read_components, opened(written(tmp_path, "dyna", text)), GRAVITY)
+
+
+def test_velocities_behind_accelerations_are_passed_over(tmp_path):
+    twin = TWINS["cosmos_v1"]()
+    velocity = twin.text.replace("acceleration pts", "velocity pts").replace(
+        "cm/sec2(04)", "cm/sec(05)"
+    )
+    path = written(tmp_path, "cosmos_v1", twin.text + velocity)
+    assert len(rk.Recording.read(path).horizontal) == 1
+
+
+@pytest.mark.parametrize(
+    "form", ["(8F10.5)", "(8E10.3E1)", "(1P8E10.3)", "(1p,8e10.3)", "(8(F10.5))", "(8ES10.3)"]
+)
+def test_columns_are_those_of_the_fortran_format(tmp_path, form):
+    text = TWINS["cosmos_v1"]().text.replace("(8F10.5)", form)
+    path = written(tmp_path, "cosmos_v1", text)
+    assert rk.Recording.read(path).horizontal[0].peak > 0
