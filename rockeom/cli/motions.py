@@ -233,8 +233,9 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
     try:
         return MotionSet.from_folder(path, units=args.units, components=components)
     except InputError as error:
-        files = f"--motion {path}/*.txt --units g"
-        raise error.so(f"{error.remedy}; other files are given by {files}") from None
+        remedy, *faults = error.remedy.split("\n")
+        named = f"--motion {path}/*.V2 takes some files, and with --units g columns of text"
+        raise error.so("\n".join([f"{remedy}; {named}", *faults])) from None
 
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from rockeom.motion import segments as pieces
 from rockeom.motion.components import name_of
 from rockeom.motion.formula import call_of, with_formulas
-from rockeom.motion.record import Record
+from rockeom.motion.record import Origin, Record
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
@@ -99,6 +99,8 @@ class GroundMotion(metaclass=explained.Constructors):
     is_vertical : bool, optional
         Whether it is the vertical component of a recording, as its file says; another verdict is
         ``dataclasses.replace(motion, is_vertical=...)``.
+    origin : Origin, optional
+        Station, event, component and azimuth [degrees] of a record from the file of a network.
 
     Raises
     ------
@@ -125,6 +127,7 @@ class GroundMotion(metaclass=explained.Constructors):
     dt: float | None = None
     samples: np.ndarray | None = None
     is_vertical: bool = False
+    origin: Origin | None = None
 
     def __post_init__(self) -> None:
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
@@ -1183,6 +1186,7 @@ class GroundMotion(metaclass=explained.Constructors):
             None if self.dt is None else self.dt * s,
             None if self.samples is None else self.samples * a,
             self.is_vertical,
+            self.origin,
         )
 
     def scaled_to(
@@ -1419,7 +1423,8 @@ class GroundMotion(metaclass=explained.Constructors):
             made = GroundMotion.from_array(to.samples, to.dt, name=self.name)
             if to.padded and made.duration < self.duration * (1.0 - 1e-9):
                 made = made.padded_to(self.duration)
-        return replace(made, source=f"{self.source}, {to.done}", is_vertical=self.is_vertical)
+        kept = {"is_vertical": self.is_vertical, "origin": self.origin}
+        return replace(made, source=f"{self.source}, {to.done}", **kept)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
         """Component between two records at right angles: cos(angle) self + sin(angle) other.
@@ -1503,8 +1508,8 @@ class GroundMotion(metaclass=explained.Constructors):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
-        fields = self.segments, self.name, self.source, self.dt, self.samples, self.is_vertical
-        return GroundMotion, fields, call_of(self)
+        fields = self.segments, self.name, self.source, self.dt, self.samples
+        return GroundMotion, (*fields, self.is_vertical, self.origin), call_of(self)
 
 
 # -- construction --------------------------------------------------------------------------------
@@ -1628,4 +1633,4 @@ def _from_record(record: Record) -> GroundMotion:
     segments = np.zeros((len(a) - 1, pieces.COLUMNS), np.result_type(a, t))
     segments[:, pieces.START], segments[:, pieces.END] = t[:-1], t[1:]
     segments[:, pieces.C0], segments[:, pieces.C1] = a[:-1], np.diff(a) / np.diff(t)
-    return GroundMotion(segments, record.name, source, dt, a, record.is_vertical)
+    return GroundMotion(segments, record.name, source, dt, a, record.is_vertical, record.origin)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import fnmatch
 from pathlib import Path
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
+from rockeom.motion.formats.text import OtherQuantity
 from rockeom.motion.ground_motion import GroundMotion, every_component, is_recognised
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
@@ -119,8 +120,8 @@ class MotionSet(Sequence[GroundMotion]):
             Folder. Folders within it are not looked into.
         pattern : str, optional
             Pattern of the files' names, small and capital letters alike, such as ``*.txt`` or
-            ``RSN*_H1.at2``; without one all files of a network and of PEER, recognised by content,
-            and a warning names the others.
+            ``RSN*_H1.at2``; without one all accelerations of a network and of PEER, recognised by
+            content, and a warning names the other files.
         units : str, optional
             Unit of the accelerations of all files, where these do not state it.
         gravity : float, optional
@@ -140,8 +141,8 @@ class MotionSet(Sequence[GroundMotion]):
         Raises
         ------
         InputError
-            Where no file has such a name or is of such a component, and where one cannot be read:
-            the message names all that cannot.
+            Where no file has such a name or is of such a component, where two files give motions of
+            one name, and where one cannot be read: the message names all that cannot.
 
         Examples
         --------
@@ -151,22 +152,25 @@ class MotionSet(Sequence[GroundMotion]):
         folder = Path(path)
         require(folder.is_dir(), "", "path", folder, "give a folder that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
-        wanted = _recognised(folder, files) if pattern is None else _like(folder, files, pattern)
-        motions, faults = [], []
+        wanted = _recognised(files) if pattern is None else _like(folder, files, pattern)
+        read: dict[Path, list[GroundMotion]] = {}
+        faults = []
         for file in wanted:
             try:
-                motions += every_component(
+                read[file] = every_component(
                     file, units=units, gravity=gravity, stated_peak=stated_peak
                 )
             except InputError as error:
-                faults.append(error.in_words(in_template))
+                if pattern is not None or not isinstance(error, OtherQuantity):
+                    faults.append(error.in_words(in_template))
         if faults:
             text = f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out"
             mend = "mend them, or name those that can be read"
             raise InputError("path", path).says(text).so("\n  ".join([mend, *faults]))
-        made = cls(motions, in_text(folder).name)
-        kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
-        return cls(kept.values(), made.name)
+        if pattern is None:
+            _tell_of_others(folder, files, read)
+        kept = chosen(_by_name(read), components, str(folder))
+        return cls(kept.values(), in_text(folder).name)
 
     @classmethod
     def from_library(
@@ -278,10 +282,11 @@ class MotionSet(Sequence[GroundMotion]):
 
         Notes
         -----
-        The name of a motion contains that of its recording, as databases name records: "I-ELC180"
-        and "I-ELC-UP" belong to "I-ELC", and files of PEER with one RSN belong together. A set that
-        was read with components="all" has the vertical components. Several instruments of a
-        station, told apart by location and channel in SEED, are several recordings.
+        Files of networks state station and event. Else the name of a motion contains that of its
+        recording, as databases name records: "I-ELC180" and "I-ELC-UP" belong to "I-ELC", and files
+        of PEER with one RSN belong together. A set that was read with components="all" has the
+        vertical components. Several instruments of a station, told apart by location and channel in
+        SEED, are several recordings.
 
         Examples
         --------
@@ -547,16 +552,35 @@ def _like(folder: Path, files: list[Path], pattern: str) -> list[Path]:
     return wanted
 
 
-def _recognised(folder: Path, files: list[Path]) -> list[Path]:
-    """Files of a network or of PEER; a warning names the others, InputError if there are none."""
-    wanted = [p for p in files if p.suffix.lower() == ".at2" or is_recognised(p)]
-    others = ", ".join(p.name for p in files if p not in wanted)
-    if not wanted:
+def _recognised(files: list[Path]) -> list[Path]:
+    """Files of a network or of PEER."""
+    return [p for p in files if p.suffix.lower() == ".at2" or is_recognised(p)]
+
+
+def _tell_of_others(folder: Path, files: list[Path], read: Collection[Path]) -> None:
+    """A warning names the files that are not read; InputError if none is."""
+    others = ", ".join(p.name for p in files if p not in read)
+    if not read:
         raise InputError("path", folder).says(
-            f"{folder} holds no record of a network or of PEER among {len(files)} files"
+            f"{folder} holds no accelerations of a network or of PEER among {len(files)} files"
             f"{f', {others}' * bool(others)}: name the files themselves",
-            "or give {pattern} and {units} for columns of text",
+            "or give pattern= and units= for columns of text",
         )
     if others:
-        warn_caller(f"files of {folder} that are no records of a network or of PEER: {others}")
-    return wanted
+        warn_caller(f"files of {folder} that are no accelerations of a network or PEER: {others}")
+
+
+def _by_name(read: Mapping[Path, list[GroundMotion]]) -> dict[str, GroundMotion]:
+    """Motions by their names; InputError where two files give one name."""
+    by_name: dict[str, GroundMotion] = {}
+    files: dict[str, Path] = {}
+    for file, motions in read.items():
+        for motion in motions:
+            if motion.name in by_name:
+                raise InputError("pattern").says(
+                    f"{files[motion.name].name} and {file.name} both give a motion "
+                    f"{motion.name!r}: take one of the files",
+                    f'as pattern="*{file.suffix}" does',
+                )
+            by_name[motion.name], files[motion.name] = motion, file
+    return by_name

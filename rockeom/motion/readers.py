@@ -39,7 +39,7 @@ from rockeom.motion.formats.text import (
     short,
     stated_factor,
 )  # fmt: skip
-from rockeom.motion.record import Record
+from rockeom.motion.record import Origin, Record
 from rockeom.motion.units import CHANNEL_UNITS, channel_factor, is_known
 from rockeom.numbers.checks import FilePath, InputError, described, is_number, positive_number
 
@@ -79,14 +79,18 @@ def read_file(
     (one, *others) = every
     if not others and one.azimuth is None and not one.is_vertical:  # the name of the file may tell
         every = [replace(one, is_vertical=components.is_vertical(name))]
+    directions = [one.name for one in every]
+    named = [
+        f"{name}, {f'{n} ' * (directions.count(of) > 1)}{of}" for n, of in enumerate(directions, 1)
+    ]
     return [
         Record(
-            one.acceleration, one.dt, name if len(every) == 1 else f"{name}, {one.name}",
+            one.acceleration, one.dt, name if len(every) == 1 else own_name,
             f"{in_text(path).name}, {one.name} at {one.station}"
-            + (", turned positive upwards" if one.is_down else ""), one.is_vertical, one.name,
-            one.azimuth,
+            + (", turned positive upwards" if one.is_down else ""), one.is_vertical,
+            Origin(one.station, " ".join(one.event.split()), one.name, one.azimuth),
         )
-        for one in every
+        for one, own_name in zip(every, named, strict=True)
     ]  # fmt: skip
 
 
@@ -101,15 +105,21 @@ def one_component(path: FilePath, records: list[Record], component: str | float 
         what = f"it holds {len(records)} components: {listed}"
         remedy = "choose one by {component}, or read all by rk.Recording.read"
         raise InputError.at(path, None, what, remedy, "component")
-    found = [one for one in records if one.component.lower() == str(component).strip().lower()]
+    found = [one for one in records if _letters(one.component) == _letters(str(component))]
     number = _whole(component)
     if not found and number is not None:
         numbered = records[number - 1 : number] if number > 0 else []
         found = numbered or [one for one in records if one.azimuth == number % 360]
     if len(found) != 1:
         what = f"{len(found)} of its components are {described(component)}: {listed}"
-        raise InputError.at(path, None, what, "give {component} as a number or name", "component")
+        remedy = "give {component} as a number" + " or name" * (not found)
+        raise InputError.at(path, None, what, remedy, "component")
     return found[0]
+
+
+def _letters(direction: str) -> str:
+    """A direction by its letters and digits: "E-W" and "ew" are one."""
+    return "".join(filter(str.isalnum, direction.lower()))
 
 
 def _whole(component: str | float) -> int | None:

@@ -15,7 +15,7 @@ from rockeom.motion.ground_motion import GroundMotion, every_component
 from rockeom.motion.scaling import Acceleration, multiplier, target
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.checks import FilePath, InputError, described, require_word
+from rockeom.numbers.checks import FilePath, InputError, InputTypeError, described, require_word
 
 if TYPE_CHECKING:
     from rockeom.motion.spectra import ResponseSpectrum
@@ -117,8 +117,10 @@ class Recording:
         >>> import rockeom as rk
         >>> recording = rk.Recording.read("CE89146.V1")  # doctest: +SKIP
         """
-        if not paths:
-            raise InputError("paths").give("a file of a recording, or several")
+        if not paths or isinstance(paths[0], list | tuple):
+            raise InputTypeError("paths", *paths[:1]).give(
+                "a file of a recording, or several, one after the other: Recording.read(a, b)"
+            )
         motions = [
             one
             for path in paths
@@ -334,23 +336,41 @@ _COMBINED: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 def recording_from(name: str, group: Sequence[GroundMotion]) -> Recording:
     """The recording with these components; raises InputError for what is none."""
+    origins = [motion.origin for motion in group if motion.origin is not None]
+    stated = sorted({origin.recording for origin in origins})
+    if len(stated) > 1:
+        raise InputError("paths").says(
+            f"the components are of {len(stated)} recordings, {'; '.join(stated)}: give those of "
+            "one station, instrument and earthquake"
+        )
     horizontal = tuple(motion for motion in group if not motion.is_vertical)
     vertical = [motion for motion in group if motion.is_vertical]
     members = ", ".join(motion.name for motion in group)
     if not horizontal:
         raise InputError("components").says(
-            f"{members} has no horizontal component in this set: read the set with "
-            '{components:"all"}, or leave it out'
+            f"{members} has no horizontal component in this set: add its horizontal ones, read the "
+            'set with {components:"all"}, or leave it out'
         )
-    named = (azimuth_and_vertical(split(motion.name)[1])[0] for motion in horizontal)
-    at = [azimuth for azimuth in named if azimuth is not None]
+    at = [azimuth for azimuth in map(_azimuth, horizontal) if azimuth is not None]
     skew = len(at) == 2 and abs((at[0] - at[1]) % 180 - 90) > _RIGHT_ANGLE
     if len(horizontal) > 2 or len(vertical) > 1 or skew:
         counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
         what = "two components at no right angle" if skew else counted
+        refusal = f"the recording {name!r} has {what}: {members}"
+        if origins:
+            raise InputError("motions").says(
+                f"{refusal}. Give the files of one sensor and of one stage of processing",
+                "GroundMotion.read(path, component=...) takes one of many components",
+            )
         raise InputError("motions").says(
-            f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
-            'component, as in "ELC-180"',
+            f'{refusal}. Name the motions by recording and component, as in "ELC-180"',
             "dataclasses.replace(motion, name=...) gives another name",
         )
     return Recording(name, horizontal, vertical[0] if vertical else None)
+
+
+def _azimuth(motion: GroundMotion) -> float | None:
+    """Azimuth of a record [degrees], by its file, or by its name if it is of no network."""
+    if motion.origin is not None:
+        return motion.origin.azimuth
+    return azimuth_and_vertical(split(motion.name)[1])[0]

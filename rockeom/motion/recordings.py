@@ -18,14 +18,18 @@ _OF_SCALED = re.compile(f"({SCALE_IN_NAME.pattern.rstrip('$')})?( \\(\\d+\\))?$"
 
 
 def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recording, ...]:
-    """See `MotionSet.recordings`; set_name : for records named by their component alone."""
+    """See `MotionSet.recordings`; set_name : for records named by their component alone.
+
+    Records of networks are grouped by the station and event of their headers, others by name.
+    """
     groups: dict[str, list[GroundMotion]] = {}
     components = [split(motion.name) for motion in motions]
     sizes = Counter(name for name, _ in components)
     for motion, (name, component) in zip(motions, components, strict=True):
         # of more than three components those of one instrument belong together
         instrument = channel(component) if sizes[name] > 3 else ""
-        recording = ", ".join(filter(None, (name or set_name, instrument)))
+        stated = "" if motion.origin is None else motion.origin.recording
+        recording = stated or ", ".join(filter(None, (name or set_name, instrument)))
         groups.setdefault(recording, []).append(motion)
     return tuple(recording_from(name, group) for name, group in groups.items())
 

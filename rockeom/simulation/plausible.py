@@ -53,11 +53,18 @@ def _uplift_acceleration(structure: Structure) -> float:
     return threshold or 0.0
 
 
-def direction(motion: GroundMotion) -> tuple[str, ...]:
-    """A vertical component that was given for a horizontal one."""
-    if not motion.is_vertical:
-        return ()
-    return (f"The horizontal ground motion is the vertical component of a record, {motion.name}.",)
+def directions(motion: GroundMotion, vertical: GroundMotion | None) -> tuple[str, ...]:
+    """A vertical component that was given for a horizontal one, and the reverse."""
+    said = []
+    if motion.is_vertical:
+        said += [
+            f"The horizontal ground motion is the vertical component of a record, {motion.name}."
+        ]
+    if vertical is not None and vertical.origin and vertical.origin.azimuth is not None:
+        said += [
+            f"The vertical ground motion is a horizontal component of a record, {vertical.name}."
+        ]
+    return tuple(said)
 
 
 def default_masses(structure: Structure) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 A new format is a module here with `recognises` and `components`, and a line in `GRAMMARS`.
 """
 
-from itertools import islice
+from itertools import dropwhile, islice
 from types import ModuleType
 
 from rockeom.motion.formats import (
@@ -33,7 +33,8 @@ HEAD = 13
 
 def grammar_of(text: Text) -> ModuleType | None:
     """The grammar that recognises a file."""
-    head = [line for _, line in islice(text.lines(), HEAD)]
+    lines = dropwhile(str.isspace, (line for _, line in text.lines()))
+    head = list(islice(lines, HEAD))
     return next((one for one in GRAMMARS if one.recognises(head)), None)
 
 

@@ -12,7 +12,7 @@ HEADER = 17
 
 
 def recognises(head: Sequence[str]) -> bool:
-    return head[0].startswith("STRONG GROUND MOTION RECORDS OF TURKIYE")
+    return head[0].startswith("STRONG GROUND MOTION RECORDS OF TURK")
 
 
 def components(page: Page, gravity: float) -> list[Component]:

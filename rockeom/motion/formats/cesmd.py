@@ -57,7 +57,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     page.match(after, r"^/&", "the end of the component")
     component = Component(
         in_si(values, unit, gravity), dt, found[1], unit, first, station=station,
-        event=page.lines[channel].strip(), peak=peak,
+        event=re.split(r"\s{2,}", page.lines[channel].strip())[0], peak=peak,
     )  # fmt: skip
     code = page.line(first + TEXT[is_raw] + 1, "whole numbers of the header")[50:55].strip()
     if code == UP:

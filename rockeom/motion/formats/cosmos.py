@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, each_until, in_si
+from rockeom.motion.formats.text import other_quantity, short
 
 _FIRST = r"\(format v0?1\.\d+ with (\d+) text lines\)"
 _WHOLE = r"^\s*(\d+) integer-header values follow on\s+(\d+) lines, format=\s*\((\d+)I(\d+)\)"
@@ -55,8 +56,7 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component | None
     data = page.match(after, _DATA, "the number, unit and format of the values")
     is_acceleration = data[2].lower().startswith("acc")
     if not is_acceleration and first == 1:
-        what = f"this is a record of {data[2]}, not of acceleration"
-        raise page.error(after, what, "take the accelerations of it")
+        raise other_quantity(page.path, after, data[2], f"the line says {short(data[0])}")
     unit = UNITS.get((data[3].lower().replace("^", ""), int(data[4])))
     if unit is None and is_acceleration:
         what = f"the unit is {data[3]} ({data[4]}), and not cm/sec2 (04) or g (02)"

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 
 from rockeom.motion.formats.grammar import AGAIN, Component, Page, Peak, in_si
-from rockeom.motion.formats.text import short
+from rockeom.motion.formats.text import other_quantity, short
 
 HEADER = 64
 """Lines of the header."""
@@ -35,9 +35,9 @@ def components(page: Page, gravity: float) -> list[Component]:
         raise page.error(n, f"the format is {short(version)}, and DYNA 1.2 is read")
     n, kind = stated("DATA_TYPE")
     if kind.upper() != "ACCELERATION":
-        raise page.error(n, f"this is {kind.lower()}, not acceleration", "take the file of ACC")
+        raise other_quantity(page.path, n, kind.lower(), f"DATA_TYPE is {short(kind)}")
     n, unit = stated("UNITS")
-    if unit != "cm/s^2":
+    if unit.replace("**", "^") != "cm/s^2":
         raise page.error(n, f"the unit is {short(unit)}, and cm/s^2 belongs to an acceleration")
     dt = page.positive(*stated("SAMPLING_INTERVAL_S"), "SAMPLING_INTERVAL_S")
     count = page.whole(*stated("NDATA"), "NDATA")
@@ -50,14 +50,18 @@ def components(page: Page, gravity: float) -> list[Component]:
     name = stated("STREAM")[1]
     line, peak = stated("PGA_CM/S^2")
     azimuth = {"N": 0.0, "E": 90.0}.get(name[-1:].upper())
-    if not re.fullmatch(r"[A-Z]{2}[A-Z0-9]", name):
+    if not re.fullmatch(r"[A-Z]{2}[A-Z0-9]|[ENZ]", name):
         raise page.error(
             stated("STREAM")[0], f"the component is {short(name)}, not a code such as HNE", AGAIN
         )
+
+    def joined(mark: str, *keys: str) -> str:
+        return mark.join(filter(None, (lines.get(key, (0, ""))[1] for key in keys)))
     return [
         Component(
             in_si(values, unit, gravity), dt, name, unit, 1, azimuth, name[-1] == "Z",
-            f"{stated('NETWORK')[1]}.{stated('STATION_CODE')[1]}", stated("EVENT_NAME")[1],
+            joined(".", "NETWORK", "STATION_CODE", "LOCATION"),
+            joined(" ", "EVENT_NAME", "EVENT_DATE_YYYYMMDD", "EVENT_TIME_HHMMSS"),
             Peak(peak, unit, line) if peak else None,
         )
     ]  # fmt: skip

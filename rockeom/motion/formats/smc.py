@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
-from rockeom.motion.formats.text import short
+from rockeom.motion.formats.text import other_quantity, short
 
 KINDS = {
     "1": "uncorrected",
@@ -27,13 +27,9 @@ def recognises(head: Sequence[str]) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """The one component of a file."""
-    kind = KINDS[page.lines[0].strip()[0]]
+    kind = KINDS[page.match(1, r"^\s?([1-5])", "the kind of the record, 1 to 5")[1]]
     if "acceler" not in page.lines[0].lower():
-        raise page.error(
-            1,
-            f"this is {kind}, not acceleration: {short(page.lines[0])}",
-            "take the accelerations of it",
-        )
+        raise other_quantity(page.path, 1, kind, f"the line says {short(page.lines[0])}")
     whole, after = page.fixed(TEXT + 1, 8 * WHOLE, [10] * 8, "whole number of the header")
     reals, after = page.fixed(after, 5 * REALS, [15] * 5, "real of the header")
     comments, count = round(whole[15]), round(whole[16])
@@ -44,16 +40,16 @@ def components(page: Page, gravity: float) -> list[Component]:
     values, after = page.fixed(after + comments, count, [10] * 8, "value")
     page.ends(after)
     station, name = page.match(
-        6, r"^station\s*=\s*(.*?)\s*component=\s*(\S+)", "station and component"
+        6, r"^station\s*=\s*(.*?)\s*component\s*=\s*(.*?)\s*$", "station and component"
     ).groups()
-    peak = page.match(7, r"\bpk\s*=\s*(\S+)", "the peak")[1]
+    peak = page.match(7, r"\bpk(?:\s+acc)?\s*=\s*(\S*)", "the peak")[1]
     rate = reals[1]
     if not 0 < rate < NONE:
         raise page.error(TEXT + WHOLE + 1, f"{rate:g} samples a second")
     none, tilt, azimuth = round(whole[0]), round(whole[12]), round(whole[13])
     component = Component(
         in_si(values, "cm/s2", gravity), 1 / float(rate), name, "cm/s2", 1, station=station,
-        event=page.lines[3].strip(), peak=Peak(peak, "cm/s2", 7),
+        event=page.lines[3].strip(), peak=Peak(peak, "cm/s2", 7) if peak else None,
     )  # fmt: skip
     if tilt in (0, 180):
         return [replace(component, is_vertical=True, is_down=tilt == 180)]

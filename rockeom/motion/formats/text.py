@@ -137,9 +137,13 @@ def _encoding(raw: bytes) -> str:
     return "utf-8"
 
 
-def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> InputError:
+class OtherQuantity(InputError):
+    """A record of velocity, displacement or spectra, which a set of accelerations leaves out."""
+
+
+def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> OtherQuantity:
     what = f"this is a record of {quantity}, not of acceleration: {why}"
-    return InputError.at(path, line, what, "use the acceleration record (.AT2) of the same station")
+    return OtherQuantity.at(path, line, what, "use the accelerations of the station (.AT2, .ACC)")
 
 
 def cut(text: str) -> str:

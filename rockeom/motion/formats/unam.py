@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 
 from rockeom.files import in_text
+from rockeom.motion.components import azimuth_and_vertical
 from rockeom.motion.formats.grammar import Component, Page, Peak, columns_of, in_si
 from rockeom.motion.formats.text import short
 from rockeom.numbers.callers import warn_caller
@@ -28,12 +29,19 @@ def components(page: Page, gravity: float) -> list[Component]:
 
     def each(label: str) -> tuple[int, list[str]]:
         n, text = stated(label)
+        more = label.replace("C1-C6", "C7-C12")
+        if any(line.startswith(more) for line in page.lines[:head]):
+            text = f"{text.strip('/')}/{stated(more)[1].strip('/')}".rstrip("/")
         return n, [part.strip() for part in text.removeprefix("/").split("/")]
 
     n, unit = stated("UNIDADES DE LOS DATOS")
     if not unit.startswith("Gal"):
         raise page.error(n, f"the unit is {short(unit)}, not Gal")
-    line, names = each("ORIENTACION C1-C6 (rumbo;orientacion)")
+    line, oriented = each("ORIENTACION C1-C6 (rumbo;orientacion)")
+    names = [one.partition(";")[0].removeprefix("+") for one in oriented]
+    for name in names:
+        if azimuth_and_vertical(name) == (None, False):
+            raise page.error(line, f"the direction is {short(name)}, not V or such as N90E")
     fields = {
         "steps": each("INTERVALO DE MUESTREO, C1-C6 (s)"),
         "counts": each("NUM. TOTAL DE MUESTRAS, C1-C6"),
@@ -51,7 +59,8 @@ def components(page: Page, gravity: float) -> list[Component]:
             raise page.error(n, f"the channels differ here, {', '.join(values)}, and must not")
     dt = page.positive(fields["steps"][0], fields["steps"][1][0], "the step")
     count = page.whole(fields["counts"][0], fields["counts"][1][0], "the number of values")
-    if page.match(head + 3, r"^\s*(.*?)\s*$", "the directions")[1].split() != names:
+    above = page.match(head + 3, r"^\s*(.*?)\s*$", "the directions")[1].split()
+    if [one.partition(";")[0].removeprefix("+") for one in above] != names:
         raise page.error(
             head + 3, f"the directions are not those of line {line}, {', '.join(names)}"
         )
@@ -66,7 +75,8 @@ def components(page: Page, gravity: float) -> list[Component]:
             f"from line {end} on are left out"
         )
     n, peaks = fields["peaks"]
-    station, event = stated("CLAVE DE LA ESTACION")[1], stated("FECHA DEL SISMO [GMT]")[1]
+    station, date = stated("CLAVE DE LA ESTACION")[1], stated("FECHA DEL SISMO [GMT]")[1]
+    event = f"{date} {stated('HORA EPICENTRO (GMT)')[1]}"
     return [
         Component(
             in_si(column, "gal", gravity), dt, name, "gal", 1, station=station, event=event,

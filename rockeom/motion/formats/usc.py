@@ -41,6 +41,6 @@ def components(page: Page, gravity: float) -> list[Component]:
     return [
         Component(
             in_si(blocks[0], "cm/s2", gravity), dt, name, "cm/s2", 1, station=station,
-            event=page.lines[2][:72].strip(), peak=Peak(peak[1], "cm/s2", n, 1e-3),
+            event=f"{page.lines[2][:72]} {page.lines[3][:72]}", peak=Peak(peak[1], "cm/s2", n, 1e-3),
         ).directed()
     ]  # fmt: skip

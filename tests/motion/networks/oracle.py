@@ -98,7 +98,9 @@ def bhrc(lines: list[str], first: int) -> tuple[Read, int]:
     _, points, duration = lines[first + 10].split("=")
     count = int(points.split()[0])
     own = cells(lines, first + 27, count, *10 * [13])
-    return Read(number(duration) / count, 0.1 * G * own), first + 27 + -(-count // 10) + 1
+    rate = number(lines[first + 21][:13])
+    step = 1 / rate if rate else number(duration) / count
+    return Read(step, 0.1 * G * own), first + 27 + -(-count // 10) + 1
 
 
 def cosmos(lines: list[str], first: int) -> tuple[Read, int]:

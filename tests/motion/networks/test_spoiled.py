@@ -21,9 +21,10 @@ class Spoiled(NamedTuple):
     remedy: str = "download the file again"
 
 
+OTHER = "use the accelerations of the station"
 SPOILED = [
     Spoiled("dyna", r"INTERVAL_S: 0.01", "INTERVAL_S:", 4, "SAMPLING_INTERVAL_S is ''", "plain"),
-    Spoiled("dyna", r"ACCELERATION", "VELOCITY", 10, "velocity, not acceleration", "file of ACC"),
+    Spoiled("dyna", r"ACCELERATION", "VELOCITY", 10, "velocity, not of acceleration", OTHER),
     Spoiled("dyna", r"cm/s\^2\n", "cm/s\n", 7, "unit is 'cm/s', and cm/s^2 belongs"),
     Spoiled("dyna", r"NETWORK: XX\n", "", 64, "should give a line KEY: value"),
     Spoiled("dyna", r"(?s)(.{2400}).*", r"\1", 233, "ends here, where sample 170 of 400"),
@@ -42,22 +43,22 @@ SPOILED = [
     Spoiled("renadic", r"  0.050 ", "  0.060 ", 29, "times are not even: 0.06 s"),
     Spoiled("bhrc", r"/&\n", "", 68, "should give the end of the component"),
     Spoiled("bhrc", r"4\.000", "4. 000", 11, "should give points and duration"),
-    Spoiled("cosmos_v1", r"acceleration pts", "velocity pts", 44, "velocity, not", "take the acc"),
+    Spoiled("cosmos_v1", r"acceleration pts", "velocity pts", 44, "velocity, not", OTHER),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "counts(50)", 44, "counts (50)", "record in units"),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "cm/sec2(02)", 44, "cm/sec2 (02), and not", "in units"),
     Spoiled("cosmos_v2c", r"\|<SCNL>", "<SCNL>", 44, "should give a comment, |"),
-    Spoiled("smc", r"2 CORRECTED ACCELER.*", "3 VELOCITY", 1, "velocity, not", "accelerations"),
-    Spoiled("smc", r"2 CORRECTED ACCELER.*", "4 DISPL", 1, "displacement, not", "accelerations"),
-    Spoiled("smc", r"2 CORRECTED ACCELER.*", "5 SPECTRA", 1, "response spectra", "accelerations"),
+    Spoiled("smc", r"2 CORRECTED ACCELER.*", "3 VELOCITY", 1, "velocity, not", OTHER),
+    Spoiled("smc", r"2 CORRECTED ACCELER.*", "4 DISPL", 1, "displacement, not", OTHER),
+    Spoiled("smc", r"2 CORRECTED ACCELER.*", "5 SPECTRA", 1, "response spectra", OTHER),
     Spoiled("usc", r"CORRECTED ACC", "UNCORRECTED ACC", 1, "uncorrected", "take the corrected one"),
     Spoiled("cwb", r"gal", "count", 8, "the unit is 'count', not gal"),
     Spoiled("cwb", r"\n     0.050", "\n     0.500", 19, "0.5 s, 0.45 s off the 100 samples"),
     Spoiled("cwb", r"#SampleRate.*\n", "", 0, "should give SampleRate(Hz): none does"),
     Spoiled("afad", r"N-S  (.*)E-W  ", r"E-W  \1N-S  ", 18, "the columns, N-S E-W U-D"),
     Spoiled("afad", r"\Z", "   1.0\n", 419, "'1.0' follows the last value", "file of one record"),
-    Spoiled("unam", r"/400/400/400", "/400/400/399", 7, "channels differ here, 400, 400, 399"),
-    Spoiled("unam", r"3F10.3", "2F10.3", 10, "the format is '2F10.3', for 3 channels"),
-    Spoiled("unam", r": Gal \(cm/s/s\)", ": Cuentas", 9, "the unit is 'Cuentas', not Gal"),
+    Spoiled("unam", r"/400/400/400", "/400/400/399", 8, "channels differ here, 400, 400, 399"),
+    Spoiled("unam", r"3F10.3", "2F10.3", 11, "the format is '2F10.3', for 3 channels"),
+    Spoiled("unam", r": Gal \(cm/s/s\)", ": Cuentas", 10, "the unit is 'Cuentas', not Gal"),
     Spoiled("peer", r"\.0100", ".010+0", 4, "DT is missing", "time step in seconds"),
 ]
 
