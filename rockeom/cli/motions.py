@@ -63,11 +63,7 @@ def add_motion(group, required: bool = True) -> None:
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
     group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
-    group.add_argument(
-        "--component",
-        metavar="NAME",
-        help="of a --motion file of several: name, azimuth [degrees], or number from 1 on",
-    )
+    add_component(group)
     add_files(group)
     add_scale(group)
 
@@ -83,8 +79,18 @@ def add_records(parser: argparse.ArgumentParser) -> Any:
         choices=COMPONENTS,
         help="of records by words, of a folder, of files of several; horizontal if not given",
     )
+    add_component(group)
     add_files(group)
     return group
+
+
+def add_component(group) -> None:
+    """The option that `from_file` reads where a file holds several components."""
+    group.add_argument(
+        "--component",
+        metavar="NAME",
+        help="of a --motion file of several: name, azimuth [degrees], or number from 1 on",
+    )
 
 
 def add_files(group) -> None:
@@ -203,7 +209,9 @@ def records(args: argparse.Namespace) -> MotionSet:
 
 def _components(path: str, args: argparse.Namespace) -> list[GroundMotion]:
     """The motion of a file, or of a file of several components those of --components."""
-    if args.columns is not None or args.dt is not None or args.layout is not None:
+    if args.component is not None and args.components is not None:
+        raise UsageError("--component and --components: one of both says what is read of a file")
+    if _of_columns(args) or args.component is not None:
         return [from_file(path, args)]
     found = {one.name: one for one in every_component(path, units=args.units)}
     if len(found) == 1 and args.components is None:
@@ -211,9 +219,14 @@ def _components(path: str, args: argparse.Namespace) -> list[GroundMotion]:
     return list(chosen(found, args.components or "horizontal", path).values())
 
 
+def _of_columns(args: argparse.Namespace) -> bool:
+    """Whether options say in which columns of a file the motion is."""
+    return args.columns is not None or args.dt is not None or args.layout is not None
+
+
 def _vertical(path: str, args: argparse.Namespace) -> GroundMotion:
     """The motion of a file, or the vertical one of a file of several components."""
-    if args.columns is not None or args.dt is not None or args.layout is not None:
+    if _of_columns(args):
         return from_file(path, args)
     found = every_component(path, units=args.units)
     upward = [one for one in found if one.is_vertical] if len(found) > 1 else found
@@ -226,7 +239,7 @@ def _vertical(path: str, args: argparse.Namespace) -> GroundMotion:
 
 
 def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
-    for option in ("columns", "dt", "layout"):
+    for option in ("columns", "dt", "layout", "component"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for files: name them, as {path}/*.txt")
     components = args.components or "horizontal"
@@ -234,7 +247,7 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
         return MotionSet.from_folder(path, units=args.units, components=components)
     except InputError as error:
         remedy, *faults = error.remedy.split("\n")
-        named = f"--motion {path}/*.V2 takes some files, and with --units g columns of text"
+        named = f"--motion {path}/*.V2 takes some files, {path}/*.txt --units g columns of text"
         raise error.so("\n".join([f"{remedy}; {named}", *faults])) from None
 
 
@@ -264,7 +277,7 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
 
 def _check_no_files(args: argparse.Namespace) -> None:
     """Raise InputError for options that say how to read a file, where there is none."""
-    for option in ("units", "columns", "dt", "layout"):
+    for option in ("units", "columns", "dt", "layout", "component"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for a file: leave it out, or give --motion FILE")
 

@@ -172,7 +172,7 @@ def _split_words(name: str, of_peer: bool = False) -> tuple[str, str]:
     return name, ""
 
 
-_UPWARD = re.compile(r"(?:up|down|dwn|dn|u-?d|u|v|z|vert(?:ical)?|ver)\d*", re.IGNORECASE)
+_UP_OR_DOWN = re.compile(r"(?:up|down|dwn|dn|u-?d|u|v|z|vert(?:ical)?|ver)\d*", re.IGNORECASE)
 _BEARING = re.compile(r"([NS])\s*(\d{1,2})\s*([EW])", re.IGNORECASE)
 _OF_DEGREES = re.compile(r"(\d{1,3})\s*(?:deg\w*|°)?", re.IGNORECASE)
 _CARDINAL = {
@@ -190,7 +190,7 @@ _CARDINAL = {
 def azimuth_and_vertical(name: str) -> tuple[float | None, bool]:
     """Azimuth [degrees] of a direction, if it has one, and whether it is vertical."""
     word = name.strip()
-    if _UPWARD.fullmatch(word):
+    if _UP_OR_DOWN.fullmatch(word):
         return None, True
     if bearing := _BEARING.fullmatch(word):
         north, angle, east = bearing[1].upper() == "N", float(bearing[2]), bearing[3].upper() == "E"

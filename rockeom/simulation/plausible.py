@@ -27,10 +27,13 @@ ROUGHEST = 0.8
 
 
 def shaking(structure: Structure, motion: GroundMotion, stood: bool) -> tuple[str, ...]:
-    """Accelerations in g that were given for m/s2; stood : whether no foot ever lifted."""
+    """Accelerations in g that were given for m/s2; stood : whether no foot ever lifted.
+
+    Not asked of the file of a network, whose format states the unit.
+    """
     threshold, peak = _uplift_acceleration(structure), motion.peak
     weak = LIKE_G[0] <= peak <= min(LIKE_G[1], SHARE_OF_UPLIFT * threshold)
-    if not (stood and weak):
+    if not (stood and weak) or motion.origin is not None:
         return ()
     remedy = (
         f'{motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'

@@ -31,6 +31,20 @@ def test_component_of_a_file_is_simulated_with_its_vertical_one(files, capsys):
     assert summary["vertical"]["peak"] == pytest.approx(abs(up.acceleration).max())
 
 
+def test_component_of_a_file_is_assessed(files, capsys):
+    motion = ["--motion", str(files / "cwb.dat"), "--component", "E", "--pga", "0.3g"]
+    assert main(["assess", *BLOCK, *motion]) == 0
+    assert "under 1 record" in capsys.readouterr().out
+    assert main(["assess", *BLOCK, *motion, "--components", "all"]) == 2
+    assert "one of both says" in capsys.readouterr().err
+
+
+def test_horizontal_record_as_the_vertical_one_is_asked_about(files, capsys):
+    paths = ["--motion", str(files / "cwb.dat"), "--component", "E"]
+    assert main(["simulate", *BLOCK, *paths, "--vertical", str(files / "knet.dat")]) == 0
+    assert "vertical ground motion is a horizontal component" in capsys.readouterr().out
+
+
 def test_vertical_component_of_a_file_without_one_is_refused(files, capsys):
     path = files / "horizontal.dat"
     text = TWINS["unam"]().text.replace("/V/", "/N45E/")

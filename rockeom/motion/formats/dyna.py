@@ -57,6 +57,7 @@ def components(page: Page, gravity: float) -> list[Component]:
 
     def joined(mark: str, *keys: str) -> str:
         return mark.join(filter(None, (lines.get(key, (0, ""))[1] for key in keys)))
+
     return [
         Component(
             in_si(values, unit, gravity), dt, name, unit, 1, azimuth, name[-1] == "Z",

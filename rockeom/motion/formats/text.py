@@ -143,7 +143,9 @@ class OtherQuantity(InputError):
 
 def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> OtherQuantity:
     what = f"this is a record of {quantity}, not of acceleration: {why}"
-    return OtherQuantity.at(path, line, what, "use the accelerations of the station (.AT2, .ACC)")
+    return OtherQuantity.at(
+        path, line, what, "use the acceleration record of the station (.AT2, .ACC)"
+    )
 
 
 def cut(text: str) -> str:

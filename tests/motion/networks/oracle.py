@@ -37,7 +37,7 @@ def behind(lines: list[str], label: str) -> str:
 
 def only(lines: list[str], label: str) -> int:
     """The index of the one line that begins with a label."""
-    (line,) = [n for n, text in enumerate(lines) if text.startswith(label)]
+    (line,) = [n for n, text in enumerate(lines) if text.lower().startswith(label.lower())]
     return line
 
 

@@ -7,6 +7,7 @@ from tests.motion.networks.mutations import fault, faults
 from tests.motion.networks.twins import TWINS
 
 
+@pytest.mark.filterwarnings("ignore:a.txt. the header counts")
 @pytest.mark.parametrize("name", TWINS)
 def test_spoiled_file_is_refused_or_read_as_it_is(name):
     assert not faults(name, range(200))

@@ -25,6 +25,7 @@ def test_table_of_the_readme_is_read():
     assert len(table()) == 17
 
 
+@pytest.mark.filterwarnings("ignore:CUP50401.012. the header counts")
 @pytest.mark.parametrize("row", table(), ids=lambda row: row[0])
 def test_file_is_read_as_its_readme_has_it(row):
     file, samples, step, peaks = row

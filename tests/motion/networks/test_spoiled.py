@@ -21,7 +21,7 @@ class Spoiled(NamedTuple):
     remedy: str = "download the file again"
 
 
-OTHER = "use the accelerations of the station"
+OTHER = "use the acceleration record of the station"
 SPOILED = [
     Spoiled("dyna", r"INTERVAL_S: 0.01", "INTERVAL_S:", 4, "SAMPLING_INTERVAL_S is ''", "plain"),
     Spoiled("dyna", r"ACCELERATION", "VELOCITY", 10, "velocity, not of acceleration", OTHER),
@@ -43,6 +43,9 @@ SPOILED = [
     Spoiled("renadic", r"  0.050 ", "  0.060 ", 29, "times are not even: 0.06 s"),
     Spoiled("bhrc", r"/&\n", "", 68, "should give the end of the component"),
     Spoiled("bhrc", r"4\.000", "4. 000", 11, "should give points and duration"),
+    Spoiled("bhrc", r"1\.00000E\+02", "1.25000E+02", 22, "125 samples a second, where line 11 has"),
+    Spoiled("unam", r"/V/", "/-V/", 4, "the direction is '-V', not V or such as N90E"),
+    Spoiled("knet", r"\A", "\n", 1, "'Origin Time' is expected here, and not ''"),
     Spoiled("cosmos_v1", r"acceleration pts", "velocity pts", 44, "velocity, not", OTHER),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "counts(50)", 44, "counts (50)", "record in units"),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "cm/sec2(02)", 44, "cm/sec2 (02), and not", "in units"),

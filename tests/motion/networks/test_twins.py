@@ -107,3 +107,31 @@ def test_columns_are_those_of_the_fortran_format(tmp_path, form):
     text = TWINS["cosmos_v1"]().text.replace("(8F10.5)", form)
     path = written(tmp_path, "cosmos_v1", text)
     assert rk.Recording.read(path).horizontal[0].peak > 0
+
+
+# twin, a pattern of its text, and what replaces it everywhere
+SPELLINGS = {
+    "DYNA, one letter": ("dyna", r"STREAM: HNE", "STREAM: E"),
+    "DYNA, power": ("dyna", r"cm/s\^2\n", "cm/s**2\n"),
+    "DYNA, no peak": ("dyna", r"(PGA_CM/S\^2:).*", r"\1"),
+    "SMC, acc": ("smc", r"pk     =", "pk acc ="),
+    "SMC, no peak": ("smc", r"pk     =.*", "pk     ="),
+    "SMC, no name": ("smc", r"component= .*", "component="),
+    "BHRC, no azimuths": ("bhrc", r"L 50    T 140", "L       T"),
+    "BHRC, no rate": ("bhrc", r"1\.00000E\+02", "0.00000E+00"),
+    "AFAD, English": ("afad", r"TURKIYE", "TURKEY"),
+    "UNAM, letters": ("unam", r"/V/N90E/N00E", "/V;V/N90E;L/N00E;T"),
+    "UNAM, plus": ("unam", r"/V/", "/+V/"),
+    "UNAM, second line": ("unam", r"(/V)(/N90E/N00E)", r"\1\nORIENTACION C7-C12 (rumbo;orientacion) :\2"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SPELLINGS)
+def test_other_spelling_is_the_same_motion(tmp_path, name):
+    form, pattern, replacement = SPELLINGS[name]
+    text, times = re.subn(pattern, replacement, TWINS[form]().text)
+    assert times
+    read = [read_components(opened(written(tmp_path, form, t)), GRAVITY) for t in (text, None)]
+    for other, usual in zip(*read, strict=True):
+        np.testing.assert_array_equal(other.acceleration, usual.acceleration)
+        assert (other.dt, other.is_vertical) == (usual.dt, usual.is_vertical)
