@@ -1423,8 +1423,8 @@ class GroundMotion(metaclass=explained.Constructors):
             made = GroundMotion.from_array(to.samples, to.dt, name=self.name)
             if to.padded and made.duration < self.duration * (1.0 - 1e-9):
                 made = made.padded_to(self.duration)
-        kept = {"is_vertical": self.is_vertical, "origin": self.origin}
-        return replace(made, source=f"{self.source}, {to.done}", **kept)
+        source = f"{self.source}, {to.done}"
+        return replace(made, source=source, is_vertical=self.is_vertical, origin=self.origin)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
         """Component between two records at right angles: cos(angle) self + sin(angle) other.

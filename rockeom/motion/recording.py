@@ -118,7 +118,7 @@ class Recording:
         >>> recording = rk.Recording.read("CE89146.V1")  # doctest: +SKIP
         """
         if not paths or isinstance(paths[0], list | tuple):
-            raise InputTypeError("paths", *paths[:1]).give(
+            raise InputTypeError("paths", paths).give(
                 "a file of a recording, or several, one after the other: Recording.read(a, b)"
             )
         motions = [

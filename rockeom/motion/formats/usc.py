@@ -38,9 +38,10 @@ def components(page: Page, gravity: float) -> list[Component]:
         blocks.append(block)
     page.ends(after)
     dt = page.positive(begin, page.match(begin, _VALUES, "")[3], "the step")
+    event = f"{page.lines[2][:72]} {page.lines[3][:72]}"
     return [
         Component(
             in_si(blocks[0], "cm/s2", gravity), dt, name, "cm/s2", 1, station=station,
-            event=f"{page.lines[2][:72]} {page.lines[3][:72]}", peak=Peak(peak[1], "cm/s2", n, 1e-3),
+            event=event, peak=Peak(peak[1], "cm/s2", n, 1e-3),
         ).directed()
     ]  # fmt: skip

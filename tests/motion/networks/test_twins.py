@@ -122,7 +122,9 @@ SPELLINGS = {
     "AFAD, English": ("afad", r"TURKIYE", "TURKEY"),
     "UNAM, letters": ("unam", r"/V/N90E/N00E", "/V;V/N90E;L/N00E;T"),
     "UNAM, plus": ("unam", r"/V/", "/+V/"),
-    "UNAM, second line": ("unam", r"(/V)(/N90E/N00E)", r"\1\nORIENTACION C7-C12 (rumbo;orientacion) :\2"),
+    "UNAM, second line": (
+        "unam", r"/V(/N90E/N00E)", r"/V\nORIENTACION C7-C12 (rumbo;orientacion) :\1",
+    ),
 }  # fmt: skip
 
 

@@ -176,8 +176,8 @@ def bhrc() -> Twin:
             "", f"COMP {name}1", "Abcd   Station   37.0 N 47.0 E   Azimuth L 50    T 140",
             "Epicenter", "INSTR PERIOD =  .020 SEC",
             f"NO. OF POINTS = {SAMPLES:6d}      DURATION = {DT * SAMPLES:7.3f}",
-            "UNITS ARE SECONDS AND G/10", "", *zeros(98, 5, 14), *zeros(35, 13, 5, ".5E", _5=1 / DT),
-            *own.lines, "/&",
+            "UNITS ARE SECONDS AND G/10", "", *zeros(98, 5, 14),
+            *zeros(35, 13, 5, ".5E", _5=1 / DT), *own.lines, "/&",
         ]  # fmt: skip
         directions.append(Direction(name, azimuth, azimuth is None, 0.1 * GRAVITY * own.values))
     return Twin(file(lines), "g/10", "Abcd", directions)
@@ -287,7 +287,8 @@ def unam() -> Twin:
     stated = {
         "CLAVE DE LA ESTACION": "ABC1", "ORIENTACION C1-C6 (rumbo;orientacion)": "/V/N90E/N00E",
         "INTERVALO DE MUESTREO, C1-C6 (s)": "/0.01/0.01/0.01",
-        "FECHA DEL SISMO [GMT]": "2020/01/01", "HORA EPICENTRO (GMT)": "00:00", "NUM. TOTAL DE MUESTRAS, C1-C6": "/400/400/400",
+        "FECHA DEL SISMO [GMT]": "2020/01/01", "HORA EPICENTRO (GMT)": "00:00",
+        "NUM. TOTAL DE MUESTRAS, C1-C6": "/400/400/400",
         "ACEL. MAX.(Gal), C1-C6": "".join(f"/{peak:.2f}" for peak in peaks(directions)),
         "UNIDADES DE LOS DATOS": "Gal (cm/s/s)",
         "FORMATO DATOS (FORTRAN,10 campos/dato)": "3F10.3",
