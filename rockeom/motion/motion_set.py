@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
-from rockeom.motion.formats.text import OtherQuantity
+from rockeom.motion.formats.text import OtherQuantityError
 from rockeom.motion.ground_motion import GroundMotion, every_component, is_recognised
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
@@ -161,7 +161,7 @@ class MotionSet(Sequence[GroundMotion]):
                     file, units=units, gravity=gravity, stated_peak=stated_peak
                 )
             except InputError as error:
-                if pattern is not None or not isinstance(error, OtherQuantity):
+                if pattern is not None or not isinstance(error, OtherQuantityError):
                     faults.append(error.in_words(in_template))
         if faults:
             text = f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out"

@@ -137,13 +137,13 @@ def _encoding(raw: bytes) -> str:
     return "utf-8"
 
 
-class OtherQuantity(InputError):
+class OtherQuantityError(InputError):
     """A record of velocity, displacement or spectra, which a set of accelerations leaves out."""
 
 
-def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> OtherQuantity:
+def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> OtherQuantityError:
     what = f"this is a record of {quantity}, not of acceleration: {why}"
-    return OtherQuantity.at(
+    return OtherQuantityError.at(
         path, line, what, "use the acceleration record of the station (.AT2, .ACC)"
     )
 
