@@ -14,7 +14,7 @@ _WHOLE = r"^\s*(\d+) integer-header values follow on\s+(\d+) lines, format=\s*\(
 _REAL = r"^\s*(\d+) real-header values follow on\s+(\d+) lines, format=\s*(\(\S+\))"
 _COMMENTS = r"^\s*(\d+) comment line\(s\) follow"
 _DATA = (
-    r"^\s*(\d+)\s+(?:raw\s+)?(\S+)\s+pts,\s*approx\s+\S+\s+secs,\s*"
+    r"^\s*(\d+)\s+(?:raw\s+)?((?:accel|veloc|displ)\S*)\s+pts,\s*approx\s+\S+\s+secs,\s*"
     r"units=\s*(\S+?)\s*\((\d+)\),\s*format=\s*(\(\S+\))"
 )
 UNITS = {("cm/sec2", 4): "cm/s2", ("g", 2): "g"}
