@@ -2,17 +2,15 @@
 
 import argparse
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from rockeom.cli.errors import UsageError, spread, words
 from rockeom.cli.text.options import add_number, add_words
-from rockeom.files import in_text
 from rockeom.motion import GroundMotion, MotionSet, units
 from rockeom.motion.ground_motion import every_component
-from rockeom.motion.recordings import COMPONENTS, chosen
+from rockeom.motion.recordings import COMPONENTS, by_name, chosen
 from rockeom.numbers.checks import InputError, near, positive_number
 from rockeom.structures.parameters import check_names
 
@@ -197,14 +195,10 @@ def records(args: argparse.Namespace) -> MotionSet:
         return MotionSet.from_library(words, components=args.components or "horizontal")
     if len(args.motion) == 1 and Path(args.motion[0]).is_dir():
         return _of_folder(args.motion[0], args)
-    read = [(one, path) for path in args.motion for one in _components(path, args)]
-    motions = [motion for motion, _ in read]
-    if len({motion.name for motion in motions}) < len(read):  # files of one name in several folders
-        motions = [
-            replace(motion, name=str(in_text(Path(path).parent / motion.name)))
-            for motion, path in read
-        ]
-    return MotionSet(motions, "files")
+    if twice := [path for path in args.motion if args.motion.count(path) > 1]:
+        raise UsageError(f"--motion has {twice[0]} {len(twice)} times: name each once")
+    motions = by_name({Path(path): _components(path, args) for path in args.motion})
+    return MotionSet(motions.values(), "files")
 
 
 def _components(path: str, args: argparse.Namespace) -> list[GroundMotion]:
@@ -246,9 +240,10 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
     try:
         return MotionSet.from_folder(path, units=args.units, components=components)
     except InputError as error:
-        remedy, *faults = error.remedy.split("\n")
-        named = f"--motion {path}/*.V2 takes some files, {path}/*.txt --units g columns of text"
-        raise error.so("\n".join([f"{remedy}; {named}", *faults])) from None
+        if error.argument != "path" or "\n" in error.remedy:
+            raise
+        columns = f"--motion {path}/*.txt --units g reads columns of text"
+        raise error.so(f"{error.remedy}; {columns}") from None
 
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fnmatch import fnmatch
 from pathlib import Path
@@ -16,7 +16,7 @@ from rockeom.motion import intensity as measured, library
 from rockeom.motion.formats.text import OtherQuantityError
 from rockeom.motion.ground_motion import GroundMotion, every_component, is_recognised
 from rockeom.motion.recording import Recording
-from rockeom.motion.recordings import chosen, recordings
+from rockeom.motion.recordings import by_name, chosen, recordings
 from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
@@ -141,8 +141,9 @@ class MotionSet(Sequence[GroundMotion]):
         Raises
         ------
         InputError
-            Where no file has such a name or is of such a component, where two files give motions of
-            one name, and where one cannot be read: the message names all that cannot.
+            Where no file has such a name or is of such a component, where two files give one
+            component of a recording, and where one cannot be read: the message names all that
+            cannot.
 
         Examples
         --------
@@ -151,7 +152,7 @@ class MotionSet(Sequence[GroundMotion]):
         """
         folder = Path(path)
         require(folder.is_dir(), "", "path", folder, "give a folder that holds records")
-        files = sorted(p for p in folder.iterdir() if p.is_file())
+        files = sorted(p for p in folder.iterdir() if p.is_file() and p.name[0] != ".")
         wanted = _recognised(files) if pattern is None else _like(folder, files, pattern)
         read: dict[Path, list[GroundMotion]] = {}
         faults = []
@@ -169,7 +170,7 @@ class MotionSet(Sequence[GroundMotion]):
             raise InputError("path", path).says(text).so("\n  ".join([mend, *faults]))
         if pattern is None:
             _tell_of_others(folder, files, read)
-        kept = chosen(_by_name(read), components, str(folder))
+        kept = chosen(by_name(read), components, str(folder))
         return cls(kept.values(), in_text(folder).name)
 
     @classmethod
@@ -568,19 +569,3 @@ def _tell_of_others(folder: Path, files: list[Path], read: Collection[Path]) -> 
         )
     if others:
         warn_caller(f"files of {folder} that are no accelerations of a network or PEER: {others}")
-
-
-def _by_name(read: Mapping[Path, list[GroundMotion]]) -> dict[str, GroundMotion]:
-    """Motions by their names; InputError where two files give one name."""
-    by_name: dict[str, GroundMotion] = {}
-    files: dict[str, Path] = {}
-    for file, motions in read.items():
-        for motion in motions:
-            if motion.name in by_name:
-                raise InputError("pattern").says(
-                    f"{files[motion.name].name} and {file.name} both give a motion "
-                    f"{motion.name!r}: take one of the files",
-                    f'as pattern="*{file.suffix}" does',
-                )
-            by_name[motion.name], files[motion.name] = motion, file
-    return by_name

@@ -25,7 +25,7 @@ import numpy as np
 from rockeom.files import in_text
 from rockeom.motion import components
 from rockeom.motion.formats import grammar_of, read_components
-from rockeom.motion.formats.peer import head_of, last_header_line, read_at2
+from rockeom.motion.formats.peer import head_of, is_header_of, last_header_line, read_at2
 from rockeom.motion.formats.text import (
     GET_AGAIN,
     Text,
@@ -59,7 +59,7 @@ def is_recognised(path: FilePath) -> bool:
     """Whether a file is one of a network or of PEER; False for one that cannot be read as text."""
     try:
         text = opened(path)
-        return grammar_of(text) is not None or last_header_line(head_of(text)) is not None
+        return grammar_of(text) is not None or is_header_of(head_of(text))
     except InputError:
         return False
 
@@ -88,7 +88,7 @@ def read_file(
             one.acceleration, one.dt, name if len(every) == 1 else own_name,
             f"{in_text(path).name}, {one.name} at {one.station}"
             + (", turned positive upwards" if one.is_down else ""), one.is_vertical,
-            Origin(one.station, " ".join(one.event.split()), one.name, one.azimuth),
+            Origin(one.station, " ".join(one.event.split()), one.name, one.azimuth, one.stage),
         )
         for one, own_name in zip(every, named, strict=True)
     ]  # fmt: skip
@@ -103,8 +103,9 @@ def one_component(path: FilePath, records: list[Record], component: str | float 
     )
     if component is None:
         what = f"it holds {len(records)} components: {listed}"
-        remedy = "choose one by {component}, or read all by rk.Recording.read"
-        raise InputError.at(path, None, what, remedy, "component")
+        remedy = "choose one by {component}"
+        error = InputError.at(path, None, what, remedy, "component")
+        raise error.so(remedy, "rk.Recording.read reads all")
     found = [one for one in records if _letters(one.component) == _letters(str(component))]
     number = _whole(component)
     if not found and number is not None:

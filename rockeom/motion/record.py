@@ -11,13 +11,14 @@ class Origin(NamedTuple):
     """Station and earthquake of a record, and its direction, as the file of a network has them.
 
     component : direction as the file names it, such as "N28W". azimuth : clockwise from north
-    [degrees]; None where the file gives none.
+    [degrees]; None where the file gives none. stage : of processing, such as "corrected".
     """
 
     station: str
     event: str
     component: str
     azimuth: float | None = None
+    stage: str = ""
 
     @property
     def recording(self) -> str:

@@ -336,13 +336,7 @@ _COMBINED: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 def recording_from(name: str, group: Sequence[GroundMotion]) -> Recording:
     """The recording with these components; raises InputError for what is none."""
-    origins = [motion.origin for motion in group if motion.origin is not None]
-    stated = sorted({origin.recording for origin in origins})
-    if len(stated) > 1:
-        raise InputError("paths").says(
-            f"the components are of {len(stated)} recordings, {'; '.join(stated)}: give those of "
-            "one station, instrument and earthquake"
-        )
+    _check_origins(group)
     horizontal = tuple(motion for motion in group if not motion.is_vertical)
     vertical = [motion for motion in group if motion.is_vertical]
     members = ", ".join(motion.name for motion in group)
@@ -351,13 +345,12 @@ def recording_from(name: str, group: Sequence[GroundMotion]) -> Recording:
             f"{members} has no horizontal component in this set: add its horizontal ones, read the "
             'set with {components:"all"}, or leave it out'
         )
-    at = [azimuth for azimuth in map(_azimuth, horizontal) if azimuth is not None]
-    skew = len(at) == 2 and abs((at[0] - at[1]) % 180 - 90) > _RIGHT_ANGLE
-    if len(horizontal) > 2 or len(vertical) > 1 or skew:
-        counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
-        what = "two components at no right angle" if skew else counted
-        refusal = f"the recording {name!r} has {what}: {members}"
-        if origins:
+    fault = _fault_of_plane(horizontal)
+    if len(horizontal) > 2 or len(vertical) > 1:
+        fault = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
+    if fault:
+        refusal = f"the recording {name!r} has {fault}: {members}"
+        if group[0].origin is not None:
             raise InputError("motions").says(
                 f"{refusal}. Give the files of one sensor and of one stage of processing",
                 "GroundMotion.read(path, component=...) takes one of many components",
@@ -367,6 +360,45 @@ def recording_from(name: str, group: Sequence[GroundMotion]) -> Recording:
             "dataclasses.replace(motion, name=...) gives another name",
         )
     return Recording(name, horizontal, vertical[0] if vertical else None)
+
+
+def _check_origins(group: Sequence[GroundMotion]) -> None:
+    """Raise InputError for components of several recordings, stages of processing, or steps."""
+    origins = [motion.origin for motion in group if motion.origin is not None]
+    names = sorted({_recording_of(motion) for motion in group} - {""})
+    if len(names) > 1 or 0 < len(origins) < len(group):
+        raise InputError("paths").says(
+            f"the components are of several recordings, {'; '.join(names)}: give those of one "
+            "station, instrument and earthquake"
+        )
+    stages = sorted({origin.stage for origin in origins})
+    steps = sorted({f"{motion.dt:g} s" for motion in group if origins})
+    for what, several in (("stages of processing", stages), ("time steps", steps)):
+        if len(several) > 1:
+            raise InputError("paths").says(
+                f"the components of {names[0]} are of several {what}, {'; '.join(several)}: give "
+                "the files of one"
+            )
+
+
+def _recording_of(motion: GroundMotion) -> str:
+    """The recording of a component by its file, or by its name if it is of no network."""
+    if motion.origin is not None:
+        return motion.origin.recording
+    name, component = split(motion.name)
+    return name if component else ""
+
+
+def _fault_of_plane(horizontal: Sequence[GroundMotion]) -> str:
+    """Why two horizontal components span no plane; empty where they may."""
+    if len(horizontal) != 2:
+        return ""
+    one, other = horizontal
+    at = [azimuth for azimuth in map(_azimuth, horizontal) if azimuth is not None]
+    if len(at) == 2 and abs((at[0] - at[1]) % 180 - 90) > _RIGHT_ANGLE:
+        return "two components at no right angle"
+    named = {motion.origin.component for motion in horizontal if motion.origin is not None}
+    return "one component twice" if one == other or len(named) == 1 else ""
 
 
 def _azimuth(motion: GroundMotion) -> float | None:

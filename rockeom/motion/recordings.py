@@ -3,8 +3,11 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 
-from rockeom.motion.components import channel, split
+from rockeom.files import in_text
+from rockeom.motion.components import channel, name_of, split
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording, recording_from
 from rockeom.motion.scaling import SCALE_IN_NAME
@@ -32,6 +35,34 @@ def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recordin
         recording = stated or ", ".join(filter(None, (name or set_name, instrument)))
         groups.setdefault(recording, []).append(motion)
     return tuple(recording_from(name, group) for name, group in groups.items())
+
+
+def by_name(read: Mapping[Path, list[GroundMotion]]) -> dict[str, GroundMotion]:
+    """Motions of files by their names; those of files with one stem also have ending or folder.
+
+    Raises InputError where two files give one component of a recording: it would count twice.
+    """
+    files = [*read]
+    stems = [name_of(file) for file in files]
+    names = [in_text(file).name for file in files]
+    folders = [str(in_text(file.parent / stem)) for file, stem in zip(files, stems, strict=True)]
+    labels = stems, names, folders, [*map(str, files)]
+    label = next((one for one in labels if len(set(one)) == len(files)), labels[-1])
+    motions: dict[str, GroundMotion] = {}
+    components: dict[tuple[str, str], Path] = {}
+    for file, stem, called in zip(files, stems, label, strict=True):
+        for one in read[file]:
+            if (origin := one.origin) and origin.recording and origin.component:
+                first = components.setdefault((origin.recording, origin.component), file)
+                if first != file:
+                    raise InputError("pattern").says(
+                        f"{first.name} and {file.name} both give {origin.component} of "
+                        f"{origin.recording}: take one of the files",
+                        f'as pattern="*{file.suffix}" does',
+                    )
+            name = called + one.name.removeprefix(stem)
+            motions[name] = one if name == one.name else replace(one, name=name)
+    return motions
 
 
 def recording_of(name: object) -> str:

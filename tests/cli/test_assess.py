@@ -84,7 +84,7 @@ def test_folder_without_records_is_named(tmp_path, capsys):
         said = capsys.readouterr().err
         assert str(folder) in said
     assert main(["assess", *BLOCK, "--motion", str(tmp_path)]) == 2
-    assert f"{tmp_path}/*.txt --units g" in capsys.readouterr().err
+    assert f"--motion {tmp_path}/*.txt --units g" in capsys.readouterr().err
 
 
 def recording(tmp_path) -> list[str]:

@@ -49,5 +49,7 @@ def read_components(text: Text, gravity: float, stated_peak: bool = True) -> lis
     if grammar is None:
         return None
     page = Page(text)
+    if not page.lines[0].strip():
+        raise page.error(1, "a blank line stands in front of the header", "delete it")
     found = grammar.components(page, gravity)
     return [(checked(page, one, gravity) if stated_peak else one).upward() for one in found]

@@ -38,7 +38,7 @@ def components(page: Page, gravity: float) -> list[Component]:
     if len(columns) != 4:
         raise page.error(last, f"the format is {short(page.lines[last - 1])}, not such as 4F10.3")
     hertz = page.positive(*rate, "the sample rate")
-    count = round(hertz * page.positive(*length, "the length"))
+    count = page.count(length[0], hertz, page.positive(*length, "the length"))
     table, after = page.fixed(last + 1, 4 * count, columns, "number")
     page.ends(after)
     table = table.reshape(-1, 4)

@@ -32,7 +32,7 @@ def components(page: Page, gravity: float) -> list[Component]:
 
     n, version = stated("HEADER_FORMAT")
     if version != "DYNA 1.2":
-        raise page.error(n, f"the format is {short(version)}, and DYNA 1.2 is read")
+        raise page.error(n, f"the format is {short(version)}", "export the record as DYNA 1.2")
     n, kind = stated("DATA_TYPE")
     if kind.upper() != "ACCELERATION":
         raise other_quantity(page.path, n, kind.lower(), f"DATA_TYPE is {short(kind)}")
@@ -63,6 +63,6 @@ def components(page: Page, gravity: float) -> list[Component]:
             in_si(values, unit, gravity), dt, name, unit, 1, azimuth, name[-1] == "Z",
             joined(".", "NETWORK", "STATION_CODE", "LOCATION"),
             joined(" ", "EVENT_NAME", "EVENT_DATE_YYYYMMDD", "EVENT_TIME_HHMMSS"),
-            Peak(peak, unit, line) if peak else None,
+            Peak(peak, unit, line) if peak else None, stage=joined("", "PROCESSING"),
         )
     ]  # fmt: skip

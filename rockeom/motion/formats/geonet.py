@@ -51,6 +51,6 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
         in_si(factor * blocks[0], "mm/s2", gravity),
         page.positive(first + 10, dt, "the time step"),
         name, "mm/s2", first, station=station, event=page.lines[first + 6].strip(),
-        peak=Peak(peak, "mm/s2", first + 13),
+        peak=Peak(peak, "mm/s2", first + 13), stage="raw" if is_raw else "corrected",
     )  # fmt: skip
     return component.directed(), after

@@ -8,16 +8,20 @@ where it must be and refuses any other with the line, what was expected there, a
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.motion.components import azimuth_and_vertical
-from rockeom.motion.formats.text import Text, number_of, numbers_of, short
+from rockeom.motion.formats.text import Text, number_of, numbers_of, pythonic, short
 from rockeom.motion.units import factor
 from rockeom.numbers.checks import InputError
 
+LONGEST_LINE = 2_000
+"""Letters of the longest line of a network's file, so that no pattern takes long."""
+LARGEST = 10**9
+"""No file has as many values."""
 AGAIN = "download the file again, or export it in this format"
 """Remedy where a line is not what the format has there."""
 
@@ -62,6 +66,8 @@ class Component:
         Earthquake, as the file names it.
     peak : Peak, optional
         Peak that the header states of these accelerations.
+    stage : str, optional
+        Stage of processing, as the file names it, such as "corrected".
     """
 
     acceleration: np.ndarray
@@ -75,6 +81,7 @@ class Component:
     event: str = ""
     peak: Peak | None = None
     is_down: bool = False
+    stage: str = ""
 
     def upward(self) -> "Component":
         """Positive upwards, where it is vertical."""
@@ -82,9 +89,29 @@ class Component:
 
     def directed(self) -> "Component":
         """With azimuth and direction by its name, where the file has no field of its own."""
-        azimuth, is_vertical = azimuth_and_vertical(self.name)
-        is_down = is_vertical and self.name.strip()[:1].upper() == "D"
+        direction, _ = direction_and_place(self.name)
+        azimuth, is_vertical = azimuth_and_vertical(direction)
+        is_down = is_vertical and direction[:1].upper() == "D"
         return replace(self, azimuth=azimuth, is_vertical=is_vertical, is_down=is_down)
+
+    def along(self, page: "Page", line: int, azimuth: int | None, is_vertical: bool) -> "Component":
+        """With the direction that a field states at a line; InputError where its name contradicts.
+
+        azimuth : clockwise from north, 1 to 360 [degrees]; None where the field states none.
+        """
+        named = self.directed()
+        if (azimuth and named.is_vertical) or (is_vertical and named.azimuth is not None):
+            stated = f"an azimuth of {azimuth}" if azimuth else "a vertical component"
+            raise page.error(line, f"the header states {stated}, and calls it {short(self.name)}")
+        if is_vertical:
+            return replace(named, is_vertical=True)
+        return replace(named, azimuth=float(azimuth % 360)) if azimuth else named
+
+
+def direction_and_place(name: str) -> tuple[str, str]:
+    """The direction of a channel such as "Up - roof", and the place of the sensor behind it."""
+    direction, *place = re.split(r"\s+-\s+|\s*;\s*|\s{2,}", name.strip(), maxsplit=1)
+    return direction, " ".join(place).removeprefix("Location:").strip()
 
 
 class Page:
@@ -93,6 +120,9 @@ class Page:
     def __init__(self, text: Text) -> None:
         self.path = text.path
         self.lines = [line.rstrip("\n") for _, line in text.lines()]
+        for number, line in enumerate(self.lines, 1):
+            if len(line) > LONGEST_LINE:
+                raise self.error(number, f"{len(line)} letters, where {LONGEST_LINE} are the most")
 
     def __len__(self) -> int:
         return len(self.lines)
@@ -137,9 +167,17 @@ class Page:
 
     def whole(self, number: int, text: str, what: str) -> int:
         """A positive whole number of a line."""
-        if not (text.strip().isascii() and text.strip().isdecimal() and int(text) > 0):
+        digits = text.strip()
+        is_whole = digits.isascii() and digits.isdecimal() and len(digits) < len(str(LARGEST))
+        if not (is_whole and int(digits) > 0):
             raise self.error(number, f"{what} is {short(text)}, not a positive whole number")
-        return int(text)
+        return int(digits)
+
+    def count(self, number: int, rate: float, duration: float) -> int:
+        """The number of values of a rate [1/s] and a duration [s]."""
+        if not rate * duration < LARGEST:
+            raise self.error(number, f"{rate:g} values a second for {duration:g} s are too many")
+        return round(rate * duration)
 
     def positive(self, number: int, text: str, what: str) -> float:
         """A positive number of a line."""
@@ -197,7 +235,8 @@ class Page:
 
 
 _FORTRAN = re.compile(
-    r"\(?(?:1p,?(?=\d*\(?[ed]))?(\d*)\(?(?:es|[fegd])(\d+)\.\d+(?:e\d+)?\)*", re.IGNORECASE
+    r"\(?(?:1p,?(?=\d*\(?[ed]))?(\d{0,3})\(?(?:es|[fegd])(\d\d?)\.\d+(?:e\d+)?\)*",
+    re.IGNORECASE,
 )
 """One kind of column, times a number; 1P leaves fields with an exponent as they are."""
 
@@ -205,7 +244,7 @@ _FORTRAN = re.compile(
 def columns_of(page: Page, line: int, text: str) -> list[int]:
     """Widths of the columns of a FORTRAN format such as "(8F10.3)", which a line states."""
     found = _FORTRAN.fullmatch(text.replace(" ", ""))
-    if not found or not 0 < int(found[2]) < 100 or not 0 < int(found[1] or 1) < 1000:
+    if not found or not int(found[2]) or not int(found[1] or 1):
         what = f"the format is {short(text)}, not such as (8F10.3)"
         raise page.error(line, what, "export the record with columns of one kind")
     return [int(found[2])] * int(found[1] or 1)
@@ -221,14 +260,17 @@ def checked(page: Page, one: Component, gravity: float) -> Component:
     text, unit, line, digit = one.peak
     stated = abs(number_of(text, page.path, line, "the stated peak"))
     to_si = factor(unit, gravity)
-    exponent = int(Decimal(text.lower().replace("d", "e")).as_tuple().exponent)
+    try:
+        exponent = int(Decimal(pythonic(text)).as_tuple().exponent)
+    except InvalidOperation:  # "1E-99999999999999999999"
+        raise page.error(line, f"the stated peak is {short(text)}, which no file prints") from None
     last = 10.0 ** (exponent if stated else min(exponent, 0))  # "0E400" has no digit there
     own = float(np.abs(one.acceleration).max()) / to_si
     if abs(own - stated) > 0.5 * max(last, digit) + 1e-9 * stated:
         raise page.error(
             line,
             f"the stated peak of {one.name} is {text} {unit}, and the values reach {own:.6g}",
-            "take the file again, or say stated_peak=False to read it all the same",
+            "take the file again; in Python stated_peak=False reads it all the same",
         )
     return one
 

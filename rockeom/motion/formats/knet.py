@@ -41,7 +41,7 @@ def components(page: Page, gravity: float) -> list[Component]:
     n, rate = value["Sampling Freq(Hz)"]
     hertz = page.positive(n, rate.removesuffix("Hz"), "the sampling frequency")
     n, duration = value["Duration Time(s)"]
-    count = round(hertz * page.positive(n, duration, "the duration"))
+    count = page.count(n, hertz, page.positive(n, duration, "the duration"))
     n, scale = value["Scale Factor"]
     found = re.fullmatch(r"(\S+)\(gal\)/(\S+)", scale)
     if not found:

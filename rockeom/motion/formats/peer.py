@@ -17,6 +17,7 @@ from rockeom.motion.formats.text import (
     Text,
     cut,
     glued,
+    looks_numeric,
     number_of,
     numbers_of,
     other_quantity,
@@ -24,7 +25,7 @@ from rockeom.motion.formats.text import (
     stated_factor,
 )  # fmt: skip
 from rockeom.motion.record import Record
-from rockeom.motion.units import is_known
+from rockeom.motion.units import factor, is_known
 from rockeom.numbers.checks import FilePath, InputError
 
 SECONDS = ("s", "sec", "secs", "second", "seconds")
@@ -73,6 +74,10 @@ def read_at2(text: Text, units: str | None, gravity: float, name: str | None) ->
 
     stated = [(n, unit) for n, line in enumerate(header, 1) if (unit := _unit(line))]
     unit_line, in_file = stated[-1] if stated else (None, None)
+    factors = {factor(unit, gravity) for _, unit in stated if is_known(unit)}
+    if len(factors) > 1:
+        what = f"the header states several units, {', '.join(unit for _, unit in stated)}"
+        raise InputError.at(path, unit_line, what, "correct the header")
     to_si = stated_factor(path, unit_line, in_file, units, gravity)
 
     samples = array("d")
@@ -89,6 +94,13 @@ def read_at2(text: Text, units: str | None, gravity: float, name: str | None) ->
     source = f"{in_text(path).name}, line 2: {title}" if titled else in_text(path).name
     is_vertical = components.is_vertical(components.name_of(path), title if titled else "", header)
     return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
+
+
+def is_header_of(head: Sequence[str]) -> bool:
+    """Whether lines are a header of PEER with numbers below it, and no prose that names NPTS."""
+    last = last_header_line(head)
+    below = next((line.split() for line in head[last:] if line.split()), []) if last else []
+    return bool(below) and looks_numeric(below[0])
 
 
 def _unit(line: str) -> str | None:

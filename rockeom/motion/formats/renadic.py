@@ -1,4 +1,4 @@
-"""RENADIC, Chile (.v1): components one after the other, pairs of time and value in g/10."""
+"""RENADIC, Chile (.v1), and CDMG's old raw files: components of pairs of time and value in g/10."""
 
 from collections.abc import Sequence
 
@@ -10,9 +10,13 @@ TEXT = 13
 """Lines of text of each component; a hundred whole numbers and 58 reals follow."""
 
 
+EVEN = 1.01e-3
+"""Times [s] by which those of a file may be off an even step: a unit of their last digit."""
+
+
 def recognises(head: Sequence[str]) -> bool:
     return head[0].startswith("UNCORRECTED ACCELEROGRAM DATA") and any(
-        "RENADIC" in line for line in head[:TEXT]
+        line.startswith("UNITS OF UNCOR ACCEL ARE SEC AND G/10") for line in head[:TEXT]
     )
 
 
@@ -42,18 +46,19 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component, int]:
     time, values = pairs[::2], pairs[1::2]
     page.match(after, r"^/&", "the end of the component")
     dt = round(float(time[-1] - time[0]) / (count - 1), 6) if count > 1 else 0.0
-    steps = np.diff(time)
-    if not dt > 0 or np.any(np.abs(steps - dt) > 1.01e-3):
-        worst = int(np.argmax(np.abs(steps - dt))) if count > 1 else 0
+    off = np.abs(time - time[0] - dt * np.arange(count))
+    if not dt > 0 or off.max() > EVEN:
+        worst = int(off.argmax())
         raise page.error(
             begin + (2 * worst) // 10,
-            f"the times are not even: {time[worst]:g} s and the next",
+            f"the times are not even: {time[worst]:g} s is {off[worst]:.3g} s off a step of {dt:g}",
+            "resample to an even step, as numpy.interp does, for GroundMotion.from_array",
         )
     return (
         Component(
             in_si(values, "g/10", gravity), dt, name, "g/10", first,
             station=page.lines[first + 4].strip(), event=page.lines[first].strip(),
-            peak=Peak(peak, "g", first + 11),
+            peak=Peak(peak, "g", first + 11), stage="uncorrected",
         ).directed(),
         after + 1,
     )  # fmt: skip

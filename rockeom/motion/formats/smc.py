@@ -27,8 +27,9 @@ def recognises(head: Sequence[str]) -> bool:
 
 def components(page: Page, gravity: float) -> list[Component]:
     """The one component of a file."""
-    kind = KINDS[page.match(1, r"^\s?([1-5])", "the kind of the record, 1 to 5")[1]]
-    if "acceler" not in page.lines[0].lower():
+    number = page.match(1, r"^\s?([1-5])", "the kind of the record, 1 to 5")[1]
+    kind = KINDS[number]
+    if number > "2" or "acceler" not in page.lines[0].lower():
         raise other_quantity(page.path, 1, kind, f"the line says {short(page.lines[0])}")
     whole, after = page.fixed(TEXT + 1, 8 * WHOLE, [10] * 8, "whole number of the header")
     reals, after = page.fixed(after, 5 * REALS, [15] * 5, "real of the header")
@@ -44,15 +45,18 @@ def components(page: Page, gravity: float) -> list[Component]:
     ).groups()
     peak = page.match(7, r"\bpk(?:\s+acc)?\s*=\s*(\S*)", "the peak")[1]
     rate = reals[1]
-    if not 0 < rate < NONE:
+    if rate >= NONE:
+        raise other_quantity(page.path, TEXT + WHOLE + 1, "uneven samples", "it states no rate")
+    if rate <= 0:
         raise page.error(TEXT + WHOLE + 1, f"{rate:g} samples a second")
     none, tilt, azimuth = round(whole[0]), round(whole[12]), round(whole[13])
     component = Component(
         in_si(values, "cm/s2", gravity), 1 / float(rate), name, "cm/s2", 1, station=station,
-        event=page.lines[3].strip(), peak=Peak(peak, "cm/s2", 7) if peak else None,
+        event=page.lines[3].strip(), stage=kind, peak=Peak(peak, "cm/s2", 7) if peak else None,
     )  # fmt: skip
-    if tilt in (0, 180):
-        return [replace(component, is_vertical=True, is_down=tilt == 180)]
     if none in (tilt, azimuth):
         return [component.directed()]
-    return [replace(component, azimuth=float(azimuth % 360))]
+    is_vertical = tilt in (0, 180)
+    north_is_360 = None if is_vertical else azimuth % 360 or 360
+    component = component.along(page, TEXT + 2, north_is_360, is_vertical)
+    return [replace(component, is_down=tilt == 180)]

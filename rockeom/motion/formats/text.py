@@ -4,7 +4,8 @@ A reader returns what the file says, in SI units, or raises `InputError`: it fil
 value and guesses no unit.
 
 The bytes of a file are held once, and its lines are made one at a time. The time is in proportion
-to the length of the file: no pattern here goes over the same letters again and again.
+to the length of the file: no pattern here goes over the same letters again and again, and those of
+the grammars, which do, see short lines only (`grammar.LONGEST_LINE`).
 """
 
 from __future__ import annotations
@@ -138,7 +139,7 @@ def _encoding(raw: bytes) -> str:
 
 
 class OtherQuantityError(InputError):
-    """A record of velocity, displacement or spectra, which a set of accelerations leaves out."""
+    """A record of velocity, displacement, spectra or counts, which a set leaves out and names."""
 
 
 def other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> OtherQuantityError:

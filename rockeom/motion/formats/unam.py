@@ -106,7 +106,8 @@ def _of_channels(page: Page, head: int, label: str, channels: int | None = None)
 
 def _direction(page: Page, line: int, text: str) -> str:
     """The bearing in front of a semicolon, or V for vertical, without a plus."""
-    name = text.partition(";")[0].removeprefix("+")
-    if azimuth_and_vertical(name) == (None, False):
+    name, _, letter = text.partition(";")
+    name = name.removeprefix("+")
+    if azimuth_and_vertical(name) == (None, False) or "-" in letter:
         raise page.error(line, f"the direction is {short(text)}, not V or such as N90E")
     return name

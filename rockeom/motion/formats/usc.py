@@ -11,12 +11,15 @@ BLOCKS = (("ACC", "CM/SEC/SEC"), ("VEL", "CM/SEC"), ("DIS", "CM"))
 
 def recognises(head: Sequence[str]) -> bool:
     first = head[0]
-    return bool(re.match(r"(?:UN)?CORRECTED ACCELEROGRAM\s+\S+.* COMP .*FILE", first))
+    return bool(
+        re.match(r"(?:UN)?CORRECTED ACCELEROGRAM\s+\S+.* COMP .*FILE", first)
+        or re.match(r"FILE\s+\d+\s+OF UNCORRECTED ACCELEROGRAM DATA", first)
+    )
 
 
 def components(page: Page, gravity: float) -> list[Component]:
     """The one component of a file."""
-    if page.lines[0].startswith("UN"):
+    if not page.lines[0].startswith("CORRECTED"):
         raise page.error(
             1, "this is an uncorrected accelerogram of USC", "take the corrected one, .s0a"
         )

@@ -121,7 +121,7 @@ def cesmd(is_raw: bool) -> Twin:
     lines, directions = [], []
     unit = GRAVITY if is_raw else 0.01
     for k, (name, azimuth) in enumerate(
-        {"360 Deg": 0.0, "90 Deg": 90.0, "Up - roof": None}.items()
+        {"360 Deg - roof": 0.0, "90 Deg - roof": 90.0, "Up - roof": None}.items()
     ):
         own = block(sine(k, unit), "9.6f" if is_raw else "10.5f", 8)
         text = [
@@ -147,7 +147,7 @@ def cesmd(is_raw: bool) -> Twin:
         lines += [*text, *zeros(100, 5, 16, _26=code), *zeros(66, 10, 8, ".6f"), *data]
         lines += [f"/&  ----------  End of data for channel  {k + 1}  ----------"]
         directions.append(Direction(name, azimuth, azimuth is None, unit * own.values))
-    return Twin(file(lines), "g" if is_raw else "cm/s2", "11111", directions)
+    return Twin(file(lines), "g" if is_raw else "cm/s2", "11111 roof", directions)
 
 
 def renadic() -> Twin:
