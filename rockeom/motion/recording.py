@@ -366,7 +366,9 @@ def _check_origins(group: Sequence[GroundMotion]) -> None:
     """Raise InputError for components of several recordings, stages of processing, or steps."""
     origins = [motion.origin for motion in group if motion.origin is not None]
     names = sorted({_recording_of(motion) for motion in group} - {""})
-    if len(names) > 1 or 0 < len(origins) < len(group):
+    if 0 < len(origins) < len(group):
+        names = sorted({_recording_of(motion) or motion.name for motion in group})
+    if len(names) > 1:
         raise InputError("paths").says(
             f"the components are of several recordings, {'; '.join(names)}: give those of one "
             "station, instrument and earthquake"

@@ -15,7 +15,7 @@ from rockeom.motion.formats.grammar import (
     each_until,
     in_si,
 )
-from rockeom.motion.formats.text import other_quantity, short
+from rockeom.motion.formats.text import cut, other_quantity, short
 
 _FIRST = r"\(format v0?1\.\d+ with (\d{1,3}) text lines\)"
 _KIND = r"^\s*(uncorrected|corrected)\s+accel"
@@ -56,8 +56,8 @@ def _component(page: Page, first: int, gravity: float) -> tuple[Component | None
     texts = int(page.match(first, _FIRST, "the first line of a COSMOS file")[1])
     kind = re.match(_KIND, page.lines[first - 1], re.IGNORECASE)
     if kind is None and first == 1:
-        said = short(page.lines[0].partition("(")[0])
-        raise other_quantity(page.path, 1, "another quantity", f"the line says {said}")
+        quantity = cut(page.lines[0].partition("(")[0].lower())
+        raise other_quantity(page.path, 1, quantity, "so its first line says")
     after = first + texts
     header = page.match(after, _WHOLE, "the whole numbers of the header")
     count, _, per_line, width = map(int, header.groups())
@@ -119,9 +119,9 @@ def _described(
         event=page.lines[first].strip(),
         peak=Peak(peak[1], CM if len(peak[2]) > 1 else G, first + 10) if peak else None,
     )  # fmt: skip
-    is_vertical = azimuth in (*UP, DOWN)
-    stated = azimuth if 1 <= azimuth <= 360 else None
     letter = code[-1:].upper()
+    is_vertical = azimuth in (*UP, DOWN) or letter == "Z"
+    stated = azimuth if 1 <= azimuth <= 360 else None
     if (stated and letter == "Z") or (is_vertical and letter in ("N", "E")):
         raise page.error(first, f"the header states the azimuth {azimuth}, and the code {code}")
     component = component.along(page, first + 8, stated, is_vertical)

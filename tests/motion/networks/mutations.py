@@ -69,7 +69,20 @@ def field_changed(lines: list[str], n: int, random: Random) -> None:
     words = lines[n].split(" ")
     filled = [k for k, word in enumerate(words) if word]
     if filled:
-        other = ["0", "-1", "399", "401", "1e9", ".02", "nan", "x", "1E400", "0.0", "99999999999"]
+        other = [
+            "0",
+            "-1",
+            "399",
+            "401",
+            "1e9",
+            ".02",
+            "nan",
+            "x",
+            "1E400",
+            "0.0",
+            "9" * 5000,
+            "1E-9999999",
+        ]
         words[random.choice(filled)] = random.choice(other)
         lines[n] = " ".join(words)
 

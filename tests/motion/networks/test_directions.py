@@ -15,12 +15,11 @@ DIRECTIONS = {
     "COSMOS, down": ("cosmos_v1", r"(?m)^(.{24})     400", r"\1     401", 1, None, True, -1),
     "COSMOS, of no sense": ("cosmos_v1", r"(?m)^(.{24})     400", r"\1     402", 1, None, True, 1),
     "COSMOS, by name": ("cosmos_v1", r"(?m)^(.{24})     400", r"\1    -999", 1, None, True, 1),
+    "COSMOS, by code": ("cosmos_v2c", r"(?m)^(.{24})     400", r"\1    -999", 1, None, True, 1),
     "COSMOS, no north": ("cosmos_v2c", r"(?m)^(.{24})     340", r"\1       0", 0, None, False, 1),
     "SMC, none": ("smc", r" {8}90 {7}350", "    -32768    -32768", 0, 350.0, False, 1),
-    "SMC, down": (
-        "smc", r"(?s)350(.*) {8}90 {7}350", r"DOWN\1       180         0", 0, None, True, -1,
-    ),
-    "CESMD, down by name": ("cesmd_v1", r"(?s)Up - roof(.*?)  500", r"Down;\1 -999", 2, None, True, -1),
+    "SMC, down": ("smc", r"(?s)350(.*) 90 {7}350", r"DOWN\g<1>180         0", 0, None, True, -1),
+    "CESMD, by name": ("cesmd_v1", r"(?s)Up - roof(.*?)  500", r"Down;\1 -999", 2, None, True, -1),
 }  # fmt: skip
 
 

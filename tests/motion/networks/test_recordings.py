@@ -49,11 +49,9 @@ def test_borehole_and_surface_are_two_stations(tmp_path):
     assert "ABC001 borehole" in told(rk.Recording.read, *paths)
 
 
-@pytest.mark.parametrize("read", [rk.Recording.read, by_recording], ids=["read", "assess"])
-def test_parallel_components_are_no_recording(tmp_path, read):
+def test_parallel_components_are_no_recording(tmp_path):
     paths = written(tmp_path, {"S-000": ("usc", {}), "S-090": ("usc", {"N08W": "N10W"})})
-    given = paths if read == rk.Recording.read else [rk.MotionSet.from_folder(tmp_path)]
-    assert "at no right angle" in told(read, *given)
+    assert "at no right angle" in told(rk.Recording.read, *paths)
 
 
 def test_files_in_a_list_are_asked_for_one_after_the_other():
@@ -86,3 +84,8 @@ def test_components_of_one_direction_are_chosen_by_number(tmp_path):
     assert "2 of its components" in error
     assert "component= as a number." in error
     assert rk.GroundMotion.read(path, component=2).name == "A, 2 N28W"
+
+
+def test_files_of_one_stem_are_named_by_their_endings(tmp_path):
+    written(tmp_path, {"A.s0a": ("usc", {}), "A.s0b": ("usc", {"N08W": "N82E"})})
+    assert rk.MotionSet.from_folder(tmp_path).names == ("A.s0a", "A.s0b")

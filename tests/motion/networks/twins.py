@@ -81,10 +81,8 @@ def geonet(is_raw: bool) -> Twin:
         own = block(sine(k, 0.001), "8.1f", 10)
         kind, step = "Corrected", f"Instrument corrected data at {DT:.3f} sec intervals"
         if is_raw:
-            kind, step = (
-                "Uncorrected",
-                "Raw readings in units of 1.000 mm/s/s at intervals of .01 s",
-            )
+            kind = "Uncorrected"
+            step = "Raw readings in units of 1.000 mm/s/s at intervals of .01 s"
         lines += [
             f"{kind} accelerogram 20200101_000000_ABCD_20 GNS Science",
             "Site ABCD      42 00 00S  173 00 00E", *7 * ["Nowhere"],
@@ -120,9 +118,8 @@ def knet(direction: str, name: str, azimuth: float, place: str = "") -> Twin:
 def cesmd(is_raw: bool) -> Twin:
     lines, directions = [], []
     unit = GRAVITY if is_raw else 0.01
-    for k, (name, azimuth) in enumerate(
-        {"360 Deg - roof": 0.0, "90 Deg - roof": 90.0, "Up - roof": None}.items()
-    ):
+    names = {"360 Deg - roof": 0.0, "90 Deg - roof": 90.0, "Up - roof": None}
+    for k, (name, azimuth) in enumerate(names.items()):
         own = block(sine(k, unit), "9.6f" if is_raw else "10.5f", 8)
         text = [
             "Uncorrected Accelerogram Data", *2 * ["Preliminary Processing"], "11111-L1-20001.00",
