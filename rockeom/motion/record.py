@@ -22,7 +22,7 @@ class Origin(NamedTuple):
 
     @property
     def recording(self) -> str:
-        """What the components of one recording have in common: station, instrument, event.
+        """Station, instrument and event, which the components of one recording have in common.
 
         Empty where the file names no station.
         """

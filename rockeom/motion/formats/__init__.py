@@ -50,6 +50,6 @@ def read_components(text: Text, gravity: float, stated_peak: bool = True) -> lis
         return None
     page = Page(text)
     if not page.lines[0].strip():
-        raise page.error(1, "a blank line stands in front of the header", "delete it")
+        raise page.error(1, "the first line is blank, in front of the header", "delete it")
     found = grammar.components(page, gravity)
     return [(checked(page, one, gravity) if stated_peak else one).upward() for one in found]

@@ -17,7 +17,7 @@ _DATA = "DATOS DE ACELERACION:"
 
 
 class Field(NamedTuple):
-    """What a line of the header states of each channel, and the number of the line."""
+    """Values of each channel that a line of the header states, and the number of the line."""
 
     line: int
     values: list[str]

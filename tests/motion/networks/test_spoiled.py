@@ -43,7 +43,7 @@ SPOILED = [
     Spoiled("bhrc", r"4\.000", "4. 000", 11, "should give points and duration"),
     Spoiled("bhrc", r"1\.00000E\+02", "1.25000E+02", 22, "125 samples a second, where line 11 has"),
     Spoiled("unam", r"/V/", "/-V/", 4, "the direction is '-V', not V or such as N90E"),
-    Spoiled("knet", r"\A", "\n", 1, "a blank line stands in front", "delete it"),
+    Spoiled("knet", r"\A", "\n", 1, "the first line is blank", "delete it"),
     Spoiled("cosmos_v1", r"acceleration pts", "velocity pts", 44, "velocity, not", OTHER),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "counts(50)", 44, "a record of raw counts", OTHER),
     Spoiled("cosmos_v1", r"cm/sec2\(04\)", "cm/sec2(02)", 44, "cm/sec2 (02), and not", "in units"),
