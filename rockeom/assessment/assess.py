@@ -174,7 +174,7 @@ def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
 def by_recording(
     motions: Iterable[GroundMotion | Recording],
 ) -> tuple[GroundMotion | Recording, ...]:
-    """Recordings, of horizontal motions also those whose names are those of one recording.
+    """Recordings, of horizontal motions also those of one station and event, or of one name.
 
     Vertical motions stay as they are.
     """
@@ -185,17 +185,24 @@ def by_recording(
             whole.append(one)
             continue
         name, component = split(one.name)
-        members.setdefault(name if component else i, []).append(one)
+        stated = one.origin.recording if one.origin is not None else ""
+        members.setdefault(stated or (name if component else i), []).append(one)
     for alike in members.values():
         whole += _whole(alike) or [Recording(one.name, (one,)) for one in alike]
     return tuple(whole)
 
 
 def _whole(alike: list[GroundMotion]) -> tuple[Recording, ...]:
-    """The recording of two components; none for names that tell of more, as "seed 100" to 130."""
+    """The recording of two components; none for names that tell of more, as "seed 100" to 130.
+
+    Raises InputError where the files of a network tell of more.
+    """
+    is_stated = alike[0].origin is not None
     try:
-        return recordings(alike, "") if len(alike) == 2 else ()
+        return recordings(alike, "") if is_stated or len(alike) == 2 else ()
     except InputError:
+        if is_stated:
+            raise
         return ()
 
 

@@ -2,16 +2,15 @@
 
 import argparse
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from rockeom.cli.errors import UsageError, spread, words
 from rockeom.cli.text.options import add_number, add_words
-from rockeom.files import in_text
 from rockeom.motion import GroundMotion, MotionSet, units
-from rockeom.motion.recordings import COMPONENTS
+from rockeom.motion.ground_motion import every_component
+from rockeom.motion.recordings import COMPONENTS, by_name, chosen
 from rockeom.numbers.checks import InputError, near, positive_number
 from rockeom.structures.parameters import check_names
 
@@ -48,7 +47,9 @@ def add_motion(group, required: bool = True) -> None:
     """The options that `motions` reads."""
     one = group.add_mutually_exclusive_group(required=required)
     one.add_argument(
-        "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
+        "--motion",
+        metavar="FILE",
+        help="a recorded acceleration: a file of a network, PEER .AT2, or two columns",
     )
     add_words(one, "--pulse", ("KIND", "NAME=VALUE"), "a pulse by formula, see below")
     add_words(
@@ -60,6 +61,7 @@ def add_motion(group, required: bool = True) -> None:
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
     group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
+    add_component(group)
     add_files(group)
     add_scale(group)
 
@@ -73,10 +75,20 @@ def add_records(parser: argparse.ArgumentParser) -> Any:
     group.add_argument(
         "--components",
         choices=COMPONENTS,
-        help="of the records by words and of a folder; horizontal if not given",
+        help="of records by words, of a folder, of files of several; horizontal if not given",
     )
+    add_component(group)
     add_files(group)
     return group
+
+
+def add_component(group) -> None:
+    """The option that `from_file` reads where a file holds several components."""
+    group.add_argument(
+        "--component",
+        metavar="NAME",
+        help="of a --motion file of several: name, azimuth [degrees], or number from 1 on",
+    )
 
 
 def add_files(group) -> None:
@@ -121,7 +133,7 @@ def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None
         _check_no_files(args)
     motion = _horizontal(args)
     factor = _factor(motion, args)
-    vertical = None if args.vertical is None else from_file(args.vertical, args)
+    vertical = None if args.vertical is None else _vertical(args.vertical, args)
     return _times(motion, factor, args), vertical and _times(vertical, factor, args)
 
 
@@ -183,29 +195,55 @@ def records(args: argparse.Namespace) -> MotionSet:
         return MotionSet.from_library(words, components=args.components or "horizontal")
     if len(args.motion) == 1 and Path(args.motion[0]).is_dir():
         return _of_folder(args.motion[0], args)
-    if args.components is not None:
+    if twice := [path for path in args.motion if args.motion.count(path) > 1]:
+        raise UsageError(f"--motion has {twice[0]} {len(twice)} times: name each once")
+    motions = by_name({Path(path): _components(path, args) for path in args.motion})
+    return MotionSet(motions.values(), "files")
+
+
+def _components(path: str, args: argparse.Namespace) -> list[GroundMotion]:
+    """The motion of a file, or of a file of several components those of --components."""
+    if args.component is not None and args.components is not None:
+        raise UsageError("--component and --components: one of both says what is read of a file")
+    if _of_columns(args) or args.component is not None:
+        return [from_file(path, args)]
+    found = {one.name: one for one in every_component(path, units=args.units)}
+    if len(found) == 1 and args.components is None:
+        return list(found.values())
+    return list(chosen(found, args.components or "horizontal", path).values())
+
+
+def _of_columns(args: argparse.Namespace) -> bool:
+    """Whether options say in which columns of a file the motion is."""
+    return args.columns is not None or args.dt is not None or args.layout is not None
+
+
+def _vertical(path: str, args: argparse.Namespace) -> GroundMotion:
+    """The motion of a file, or the vertical one of a file of several components."""
+    if _of_columns(args):
+        return from_file(path, args)
+    found = every_component(path, units=args.units)
+    upward = [one for one in found if one.is_vertical] if len(found) > 1 else found
+    if len(upward) != 1:
+        names = ", ".join(one.name for one in found)
         raise UsageError(
-            f"--components {args.components} is for --records and for a folder: leave it out"
+            f"--vertical {path}: {len(upward)} of {names} are vertical: give a file of one"
         )
-    read = [from_file(path, args) for path in args.motion]
-    if len({motion.name for motion in read}) < len(read):  # files of one name in several folders
-        read = [
-            replace(motion, name=str(in_text(path)))
-            for motion, path in zip(read, args.motion, strict=True)
-        ]
-    return MotionSet(read, "files")
+    return upward[0]
 
 
 def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
-    for option in ("columns", "dt", "layout"):
+    for option in ("columns", "dt", "layout", "component"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for files: name them, as {path}/*.txt")
     components = args.components or "horizontal"
     try:
         return MotionSet.from_folder(path, units=args.units, components=components)
     except InputError as error:
-        files = f"--motion {path}/*.txt --units g"
-        raise error.so(f"{error.remedy}; other files are given by {files}") from None
+        if error.argument != "path" or "\n" in error.remedy:
+            raise
+        columns = f"--motion {path}/*.txt --units g reads columns of text"
+        raise error.so(f"{error.remedy}; {columns}") from None
 
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
@@ -213,7 +251,8 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
     if args.layout is not None and args.dt is None:
         raise UsageError(f"--layout {args.layout} needs --dt, the time step of the file")
     if args.columns is None and args.dt is None:
-        return GroundMotion.read(path, units=args.units)
+        component = getattr(args, "component", None)
+        return GroundMotion.read(path, units=args.units, component=component)
     columns = [int(c) if c.isdecimal() else c for c in args.columns or ()]
     if (args.dt is None and len(columns) != 2) or len(columns) > 2 - (args.dt is not None):
         raise UsageError(
@@ -233,7 +272,7 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
 
 def _check_no_files(args: argparse.Namespace) -> None:
     """Raise InputError for options that say how to read a file, where there is none."""
-    for option in ("units", "columns", "dt", "layout"):
+    for option in ("units", "columns", "dt", "layout", "component"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for a file: leave it out, or give --motion FILE")
 

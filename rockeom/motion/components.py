@@ -170,3 +170,33 @@ def _split_words(name: str, of_peer: bool = False) -> tuple[str, str]:
         if parts[n].lower() in ("vertical", "vert") and parts[n + 2 : n + 3] != ["array"]:
             return without(n), parts[n]
     return name, ""
+
+
+_UP_OR_DOWN = re.compile(r"(?:up|down|dwn|dn|u-?d|u|v|z|vert(?:ical)?|ver)\d*", re.IGNORECASE)
+_BEARING = re.compile(r"([NS])\s*(\d{1,2})\s*([EW])", re.IGNORECASE)
+_OF_DEGREES = re.compile(r"(\d{1,3})\s*(?:deg\w*|°)?", re.IGNORECASE)
+_CARDINAL = {
+    "n": 0.0,
+    "n-s": 0.0,
+    "ns": 0.0,
+    "s": 180.0,
+    "e": 90.0,
+    "e-w": 90.0,
+    "ew": 90.0,
+    "w": 270.0,
+}
+
+
+def azimuth_and_vertical(name: str) -> tuple[float | None, bool]:
+    """Azimuth [degrees] of a direction, if it has one, and whether it is vertical."""
+    word = name.strip()
+    if _UP_OR_DOWN.fullmatch(word):
+        return None, True
+    if bearing := _BEARING.fullmatch(word):
+        north, angle, east = bearing[1].upper() == "N", float(bearing[2]), bearing[3].upper() == "E"
+        return (
+            angle if east else -angle
+        ) % 360 if north else 180 - angle if east else 180 + angle, False
+    if (degrees := _OF_DEGREES.fullmatch(word)) and int(degrees[1]) <= 360:
+        return float(degrees[1]) % 360, False
+    return _CARDINAL.get(word.lower()), False

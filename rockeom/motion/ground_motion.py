@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion import segments as pieces
+from rockeom.motion.components import name_of
 from rockeom.motion.formula import call_of, with_formulas
+from rockeom.motion.record import Origin, Record
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
@@ -97,6 +99,8 @@ class GroundMotion(metaclass=explained.Constructors):
     is_vertical : bool, optional
         Whether it is the vertical component of a recording, as its file says; another verdict is
         ``dataclasses.replace(motion, is_vertical=...)``.
+    origin : Origin, optional
+        Station, event, component and azimuth [degrees] of a record from the file of a network.
 
     Raises
     ------
@@ -123,6 +127,7 @@ class GroundMotion(metaclass=explained.Constructors):
     dt: float | None = None
     samples: np.ndarray | None = None
     is_vertical: bool = False
+    origin: Origin | None = None
 
     def __post_init__(self) -> None:
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
@@ -662,7 +667,7 @@ class GroundMotion(metaclass=explained.Constructors):
         1.962...
         """
         values = _accelerations(acceleration) * factor(units, gravity)
-        return _from_record(values, dt, name, "array")
+        return _from_record(Record(values, dt, name, "array"))
 
     @classmethod
     def from_at2(
@@ -701,7 +706,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.from_at2("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
+        return _from_record(_readers().read(path, units, gravity, name, is_at2=True))
 
     @classmethod
     def from_columns(
@@ -747,7 +752,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.from_columns("record.txt", units="g")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
+        return _from_record(_readers().read(path, units, gravity, name, is_at2=False))
 
     @classmethod
     def from_csv(
@@ -800,29 +805,37 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> record = rk.GroundMotion.from_csv("record.csv", units="m/s2")  # doctest: +SKIP
         """
         columns = time_column, acceleration_column
-        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
+        return _from_record(_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
 
     @classmethod
     def read(
         cls,
         path: FilePath,
         *,
+        component: str | float | None = None,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
+        stated_peak: bool = True,
     ) -> GroundMotion:
-        """Record from a file, by `from_at2` or `from_columns`, as the name or header requires.
+        """Record from a file of a network, a PEER record or two columns, recognised by content.
 
         Parameters
         ----------
         path : path_like
-            File.
+            File. :doc:`/how-to/network-files` lists the formats.
+        component : str or float, optional
+            Component of a file that holds several: its name ("N28W"), its number from 1 on, or
+            its azimuth, clockwise from north [degrees].
         units : str, optional
             Unit of the accelerations, where the file does not state it.
         gravity : float, optional
             Value of 1 g [m/s2].
         name : str, optional
             Label of the motion.
+        stated_peak : bool, optional
+            Whether the peak that a network's header states must be that of the values, to half a
+            unit of its last digit.
 
         Returns
         -------
@@ -832,14 +845,22 @@ class GroundMotion(metaclass=explained.Constructors):
         Raises
         ------
         InputError
-            With file, line, value and remedy, for anything the file does not state.
+            With file, line, value and remedy, for anything the file does not state, and for a file
+            of several components without `component`.
+
+        See Also
+        --------
+        Recording.read : All components of a station.
 
         Examples
         --------
         >>> import rockeom as rk
         >>> record = rk.GroundMotion.read("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
         """
-        return _from_record(*_readers().read(path, units, gravity, name))
+        readers = _readers()
+        records = readers.read_file(path, units, gravity, stated_peak)
+        record = readers.one_component(path, records, component)
+        return _from_record(record if name is None else record._replace(name=name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
@@ -867,7 +888,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> rk.GroundMotion.from_library("El Centro 1940 180").duration  # doctest: +SKIP
         53.71
         """
-        return _from_record(*_library().find(words).read())
+        return _from_record(_library().find(words).read())
 
     @classmethod
     def library(cls, words: str = "") -> tuple[str, ...]:
@@ -1165,6 +1186,7 @@ class GroundMotion(metaclass=explained.Constructors):
             None if self.dt is None else self.dt * s,
             None if self.samples is None else self.samples * a,
             self.is_vertical,
+            self.origin,
         )
 
     def scaled_to(
@@ -1401,7 +1423,8 @@ class GroundMotion(metaclass=explained.Constructors):
             made = GroundMotion.from_array(to.samples, to.dt, name=self.name)
             if to.padded and made.duration < self.duration * (1.0 - 1e-9):
                 made = made.padded_to(self.duration)
-        return replace(made, source=f"{self.source}, {to.done}", is_vertical=self.is_vertical)
+        source = f"{self.source}, {to.done}"
+        return replace(made, source=source, is_vertical=self.is_vertical, origin=self.origin)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
         """Component between two records at right angles: cos(angle) self + sin(angle) other.
@@ -1485,8 +1508,8 @@ class GroundMotion(metaclass=explained.Constructors):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
-        fields = self.segments, self.name, self.source, self.dt, self.samples, self.is_vertical
-        return GroundMotion, fields, call_of(self)
+        fields = self.segments, self.name, self.source, self.dt, self.samples
+        return GroundMotion, (*fields, self.is_vertical, self.origin), call_of(self)
 
 
 # -- construction --------------------------------------------------------------------------------
@@ -1577,11 +1600,28 @@ def _library() -> ModuleType:
     return library
 
 
-def _from_record(
-    a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
-) -> GroundMotion:
+def every_component(
+    path: FilePath,
+    *,
+    units: str | None = None,
+    gravity: float = STANDARD_GRAVITY,
+    stated_peak: bool = True,
+) -> list[GroundMotion]:
+    """All components of a file, named as the file is."""
+    records = _readers().read_file(path, units, gravity, stated_peak)
+    if len(records) == 1:
+        records = [records[0]._replace(name=name_of(path))]
+    return [_from_record(one) for one in records]
+
+
+def is_recognised(path: FilePath) -> bool:
+    """Whether a file is one of a network or of PEER, by its content."""
+    return _readers().is_recognised(path)
+
+
+def _from_record(record: Record) -> GroundMotion:
     """A record as linear segments between samples."""
-    dt = positive_number("dt", dt)
+    a, source, dt = record.acceleration, record.source, positive_number("dt", record.dt)
     require(len(a) >= 2, source, "acceleration", a, "give two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
@@ -1593,4 +1633,4 @@ def _from_record(
     segments = np.zeros((len(a) - 1, pieces.COLUMNS), np.result_type(a, t))
     segments[:, pieces.START], segments[:, pieces.END] = t[:-1], t[1:]
     segments[:, pieces.C0], segments[:, pieces.C1] = a[:-1], np.diff(a) / np.diff(t)
-    return GroundMotion(segments, name, source, dt, a, is_vertical)
+    return GroundMotion(segments, record.name, source, dt, a, record.is_vertical, record.origin)

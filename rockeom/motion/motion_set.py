@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fnmatch import fnmatch
 from pathlib import Path
@@ -13,14 +13,15 @@ from numpy.typing import ArrayLike
 
 from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
-from rockeom.motion.components import name_of
-from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.formats.text import OtherQuantityError
+from rockeom.motion.ground_motion import GroundMotion, every_component, is_recognised
 from rockeom.motion.recording import Recording
-from rockeom.motion.recordings import chosen, recordings
+from rockeom.motion.recordings import by_name, chosen, recordings
 from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import (
     FilePath,
     InputError,
@@ -104,13 +105,14 @@ class MotionSet(Sequence[GroundMotion]):
     def from_folder(
         cls,
         path: FilePath,
-        pattern: str = "*.at2",
+        pattern: str | None = None,
         *,
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         components: str = "horizontal",
+        stated_peak: bool = True,
     ) -> MotionSet:
-        """Records of a folder, each read by `GroundMotion.read` and named as its file is.
+        """Records of a folder, all components of each file, named as the file is.
 
         Parameters
         ----------
@@ -118,7 +120,8 @@ class MotionSet(Sequence[GroundMotion]):
             Folder. Folders within it are not looked into.
         pattern : str, optional
             Pattern of the files' names, small and capital letters alike, such as ``*.txt`` or
-            ``RSN*_H1.at2``.
+            ``RSN*_H1.at2``; without one all accelerations of a network and of PEER, recognised by
+            content, and a warning names the other files.
         units : str, optional
             Unit of the accelerations of all files, where these do not state it.
         gravity : float, optional
@@ -127,6 +130,8 @@ class MotionSet(Sequence[GroundMotion]):
             "horizontal", "vertical" or "all". A component is vertical if its header or the name of
             its file says so (UP, DWN, UD, U-D, U, V, VERT, Z, or a SEED code such as HNZ, with or
             without its location); a warning names those that "horizontal" leaves out.
+        stated_peak : bool, optional
+            Whether the peaks that headers state must be those of the values.
 
         Returns
         -------
@@ -136,8 +141,9 @@ class MotionSet(Sequence[GroundMotion]):
         Raises
         ------
         InputError
-            Where no file has such a name or is of such a component, and where one cannot be read:
-            the message names all that cannot.
+            Where no file has such a name or is of such a component, where two files give one
+            component of a recording, and where one cannot be read: the message names all that
+            cannot.
 
         Examples
         --------
@@ -146,30 +152,26 @@ class MotionSet(Sequence[GroundMotion]):
         """
         folder = Path(path)
         require(folder.is_dir(), "", "path", folder, "give a folder that holds records")
-        files = sorted(p for p in folder.iterdir() if p.is_file())
-        require(isinstance(pattern, str), "", "pattern", pattern, 'give a text, such as "*.at2"')
-        wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
-        if not wanted:
-            endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
-            raise InputError("pattern", pattern).says(
-                f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
-                f"themselves; the endings are {endings}",
-                "or give another pattern",
-            )
-        motions, faults = [], []
+        files = sorted(p for p in folder.iterdir() if p.is_file() and p.name[0] != ".")
+        wanted = _recognised(files) if pattern is None else _like(folder, files, pattern)
+        read: dict[Path, list[GroundMotion]] = {}
+        faults = []
         for file in wanted:
-            name = name_of(file)
             try:
-                motions.append(GroundMotion.read(file, units=units, gravity=gravity, name=name))
+                read[file] = every_component(
+                    file, units=units, gravity=gravity, stated_peak=stated_peak
+                )
             except InputError as error:
-                faults.append(error.in_words(in_template))
+                if pattern is not None or not isinstance(error, OtherQuantityError):
+                    faults.append(error.in_words(in_template))
         if faults:
             text = f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out"
             mend = "mend them, or name those that can be read"
             raise InputError("path", path).says(text).so("\n  ".join([mend, *faults]))
-        made = cls(motions, in_text(folder).name)
-        kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
-        return cls(kept.values(), made.name)
+        if pattern is None:
+            _tell_of_others(folder, files, read)
+        kept = chosen(by_name(read), components, str(folder))
+        return cls(kept.values(), in_text(folder).name)
 
     @classmethod
     def from_library(
@@ -281,10 +283,11 @@ class MotionSet(Sequence[GroundMotion]):
 
         Notes
         -----
-        The name of a motion contains that of its recording, as databases name records: "I-ELC180"
-        and "I-ELC-UP" belong to "I-ELC", and files of PEER with one RSN belong together. A set that
-        was read with components="all" has the vertical components. Several instruments of a
-        station, told apart by location and channel in SEED, are several recordings.
+        Files of networks state station and event. Else the name of a motion contains that of its
+        recording, as databases name records: "I-ELC180" and "I-ELC-UP" belong to "I-ELC", and files
+        of PEER with one RSN belong together. A set that was read with components="all" has the
+        vertical components. Several instruments of a station, told apart by location and channel in
+        SEED, are several recordings.
 
         Examples
         --------
@@ -534,3 +537,35 @@ def _function(
 
 def _word(intensity: Any) -> str:
     return intensity.lower() if isinstance(intensity, str) else ""
+
+
+def _like(folder: Path, files: list[Path], pattern: str) -> list[Path]:
+    """Files whose names are like a pattern; InputError if there are none."""
+    require(isinstance(pattern, str), "", "pattern", pattern, 'give a text, such as "*.at2"')
+    wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
+    if not wanted:
+        endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
+        raise InputError("pattern", pattern).says(
+            f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
+            f"themselves; the endings are {endings}",
+            "or give another pattern",
+        )
+    return wanted
+
+
+def _recognised(files: list[Path]) -> list[Path]:
+    """Files of a network or of PEER."""
+    return [p for p in files if p.suffix.lower() == ".at2" or is_recognised(p)]
+
+
+def _tell_of_others(folder: Path, files: list[Path], read: Collection[Path]) -> None:
+    """A warning names the files that are not read; InputError if none is."""
+    others = ", ".join(p.name for p in files if p not in read)
+    if not read:
+        raise InputError("path", folder).says(
+            f"{folder} holds no accelerations of a network or of PEER among {len(files)} files"
+            f"{f', {others}' * bool(others)}: name the files themselves",
+            "or give pattern= and units= for columns of text",
+        )
+    if others:
+        warn_caller(f"files of {folder} that are no accelerations of a network or PEER: {others}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -10,14 +10,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.components import azimuth_and_vertical, name_of, split
+from rockeom.motion.ground_motion import GroundMotion, every_component
 from rockeom.motion.scaling import Acceleration, multiplier, target
+from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, described, require_word
+from rockeom.numbers.checks import FilePath, InputError, InputTypeError, described, require_word
 
 if TYPE_CHECKING:
     from rockeom.motion.spectra import ResponseSpectrum
 
+_RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHORTER = 0.02  # part of the samples that one component may lack at its end
 _HALF_TURN = 180
 """Directions of a horizontal component, a degree apart, of RotD50 and RotD100."""
@@ -77,6 +80,53 @@ class Recording:
                 f"the recording {self.name!r} has {len(horizontal)} horizontal components: give "
                 "one or two"
             )
+
+    @classmethod
+    def read(
+        cls,
+        *paths: FilePath,
+        units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        stated_peak: bool = True,
+    ) -> Recording:
+        """All components of a station, from one file or from several.
+
+        Parameters
+        ----------
+        *paths : path_like
+            Files. :doc:`/how-to/network-files` lists the formats.
+        units : str, optional
+            Unit of the accelerations, where no file states it.
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        stated_peak : bool, optional
+            Whether the peaks that headers state must be those of the values.
+
+        Returns
+        -------
+        Recording
+            Recording, named as the first file is.
+
+        Raises
+        ------
+        InputError
+            As `GroundMotion.read`, and for components that do not belong together.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> recording = rk.Recording.read("CE89146.V1")  # doctest: +SKIP
+        """
+        if not paths or isinstance(paths[0], list | tuple):
+            raise InputTypeError("paths", paths).give(
+                "a file of a recording, or several, one after the other: Recording.read(a, b)"
+            )
+        motions = [
+            one
+            for path in paths
+            for one in every_component(path, units=units, gravity=gravity, stated_peak=stated_peak)
+        ]
+        return recording_from(name_of(paths[0]), motions)
 
     def in_plane(self) -> tuple[Recording, ...]:
         """Recording for each horizontal component, with the vertical one.
@@ -282,3 +332,79 @@ _COMBINED: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "rotd50": partial(np.median, axis=0),
     "rotd100": partial(np.max, axis=0),
 }
+
+
+def recording_from(name: str, group: Sequence[GroundMotion]) -> Recording:
+    """The recording with these components; raises InputError for what is none."""
+    _check_origins(group)
+    horizontal = tuple(motion for motion in group if not motion.is_vertical)
+    vertical = [motion for motion in group if motion.is_vertical]
+    members = ", ".join(motion.name for motion in group)
+    if not horizontal:
+        raise InputError("components").says(
+            f"{members} has no horizontal component in this set: add its horizontal ones, read the "
+            'set with {components:"all"}, or leave it out'
+        )
+    fault = _fault_of_plane(horizontal)
+    if len(horizontal) > 2 or len(vertical) > 1:
+        fault = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
+    if fault:
+        refusal = f"the recording {name!r} has {fault}: {members}"
+        if group[0].origin is not None:
+            raise InputError("motions").says(
+                f"{refusal}. Give the files of one sensor and of one stage of processing",
+                "GroundMotion.read(path, component=...) takes one of many components",
+            )
+        raise InputError("motions").says(
+            f'{refusal}. Name the motions by recording and component, as in "ELC-180"',
+            "dataclasses.replace(motion, name=...) gives another name",
+        )
+    return Recording(name, horizontal, vertical[0] if vertical else None)
+
+
+def _check_origins(group: Sequence[GroundMotion]) -> None:
+    """Raise InputError for components of several recordings, stages of processing, or steps."""
+    origins = [motion.origin for motion in group if motion.origin is not None]
+    names = sorted({_recording_of(motion) for motion in group} - {""})
+    if 0 < len(origins) < len(group):
+        names = sorted({_recording_of(motion) or motion.name for motion in group})
+    if len(names) > 1:
+        raise InputError("paths").says(
+            f"the components are of several recordings, {'; '.join(names)}: give those of one "
+            "station, instrument and earthquake"
+        )
+    stages = sorted({origin.stage for origin in origins})
+    steps = sorted({f"{motion.dt:g} s" for motion in group if origins})
+    for what, several in (("stages of processing", stages), ("time steps", steps)):
+        if len(several) > 1:
+            raise InputError("paths").says(
+                f"the components of {names[0]} are of several {what}, {'; '.join(several)}: give "
+                "the files of one"
+            )
+
+
+def _recording_of(motion: GroundMotion) -> str:
+    """The recording of a component by its file, or by its name if it is of no network."""
+    if motion.origin is not None:
+        return motion.origin.recording
+    name, component = split(motion.name)
+    return name if component else ""
+
+
+def _fault_of_plane(horizontal: Sequence[GroundMotion]) -> str:
+    """Why two horizontal components span no plane; empty where they may."""
+    if len(horizontal) != 2:
+        return ""
+    one, other = horizontal
+    at = [azimuth for azimuth in map(_azimuth, horizontal) if azimuth is not None]
+    if len(at) == 2 and abs((at[0] - at[1]) % 180 - 90) > _RIGHT_ANGLE:
+        return "two components at no right angle"
+    named = {motion.origin.component for motion in horizontal if motion.origin is not None}
+    return "one component twice" if one == other or len(named) == 1 else ""
+
+
+def _azimuth(motion: GroundMotion) -> float | None:
+    """Azimuth of a record [degrees], by its file, or by its name if it is of no network."""
+    if motion.origin is not None:
+        return motion.origin.azimuth
+    return azimuth_and_vertical(split(motion.name)[1])[0]

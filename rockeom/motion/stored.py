@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 from rockeom.motion import readers
-from rockeom.motion.readers import Record
+from rockeom.motion.record import Record
 from rockeom.motion.units import STANDARD_GRAVITY
 
 

@@ -27,7 +27,7 @@ def _plain(units: str) -> str:
 
 def is_known(units: str) -> bool:
     """Whether `factor` knows these units."""
-    return _plain(units) in ("g", *_FACTORS)
+    return _plain(units) in ("g", "g/10", *_FACTORS)
 
 
 def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
@@ -44,7 +44,8 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
             f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}"
         )
     plain = _plain(units)
-    return float(gravity) if plain == "g" else _FACTORS[plain]
+    of_g = {"g": 1.0, "g/10": 0.1}
+    return float(gravity) * of_g[plain] if plain in of_g else _FACTORS[plain]
 
 
 _WITH_UNIT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d.,].*)")

@@ -27,10 +27,13 @@ ROUGHEST = 0.8
 
 
 def shaking(structure: Structure, motion: GroundMotion, stood: bool) -> tuple[str, ...]:
-    """Accelerations in g that were given for m/s2; stood : whether no foot ever lifted."""
+    """Accelerations in g that were given for m/s2; stood : whether no foot ever lifted.
+
+    Not asked of the file of a network, whose format states the unit.
+    """
     threshold, peak = _uplift_acceleration(structure), motion.peak
     weak = LIKE_G[0] <= peak <= min(LIKE_G[1], SHARE_OF_UPLIFT * threshold)
-    if not (stood and weak):
+    if not (stood and weak) or motion.origin is not None:
         return ()
     remedy = (
         f'{motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
@@ -53,11 +56,18 @@ def _uplift_acceleration(structure: Structure) -> float:
     return threshold or 0.0
 
 
-def direction(motion: GroundMotion) -> tuple[str, ...]:
-    """A vertical component that was given for a horizontal one."""
-    if not motion.is_vertical:
-        return ()
-    return (f"The horizontal ground motion is the vertical component of a record, {motion.name}.",)
+def directions(motion: GroundMotion, vertical: GroundMotion | None) -> tuple[str, ...]:
+    """A vertical component that was given for a horizontal one, and the reverse."""
+    said = []
+    if motion.is_vertical:
+        said += [
+            f"The horizontal ground motion is the vertical component of a record, {motion.name}."
+        ]
+    if vertical is not None and vertical.origin and vertical.origin.azimuth is not None:
+        said += [
+            f"The vertical ground motion is a horizontal component of a record, {vertical.name}."
+        ]
+    return tuple(said)
 
 
 def default_masses(structure: Structure) -> tuple[str, ...]:

@@ -397,7 +397,7 @@ class Response:
             *plausible.shaking(structure, self.motion, stood),
             *(plausible.friction(structure, support) if isinstance(self.record, Steps) else ()),
             *plausible.gained(structure, self.impacts, law),
-            *plausible.direction(self.motion),
+            *plausible.directions(self.motion, self.vertical),
             *plausible.tie(self.motion, self.events.columns),
             *plausible.beyond_balance(structure, self._rows),
         )

@@ -131,12 +131,31 @@ def test_at2_units_are_those_of_the_header(tmp_path):
     assert GroundMotion.from_at2(write(tmp_path, "r.AT2", text)).peak == pytest.approx(0.5)
 
 
+@pytest.mark.parametrize(
+    "units",
+    ["ACCELERATION TIME HISTORY IN G", "Acceleration (g)", "UNITS: G", "Units = g", "ACCEL. [G]"],
+)
+@pytest.mark.parametrize("step_line", ["NPTS= {n}., DT= .0100 SEC", "NPTS={n}.0 , DT=1.E-2"])
+def test_at2_header_of_another_writer_is_read(tmp_path, units, step_line):
+    motion = GroundMotion.read(write(tmp_path, "r.AT2", at2(VALUES, step_line, units)))
+    np.testing.assert_allclose(motion.samples, 9.81 * VALUES, rtol=1e-6)
+    assert motion.dt == 0.01
+
+
+@pytest.mark.parametrize("units", ["ACCELERATION IN ROOM 3", "Acceleration (corrected)"])
+def test_at2_units_that_are_none_are_asked_for(tmp_path, units):
+    with pytest.raises(InputError, match="does not say its units"):
+        GroundMotion.read(write(tmp_path, "r.AT2", at2(VALUES, units=units)))
+
+
 def test_at2_without_units_takes_those_of_the_caller(tmp_path):
     path = write(tmp_path, "r.AT2", at2([0.0, 0.5], units="ACCELERATION"))
     assert GroundMotion.from_at2(path, units="m/s2").peak == pytest.approx(0.5)
 
 
 AT2_ERRORS = {
+    "half a value": (at2(VALUES, "NPTS= {n}.5, DT= .01"), 4, "NPTS is '120.5' .* not a whole"),
+    "velocity in short": (at2(VALUES, units="VELOCITY (CM/S)"), 3, "a record of velocity"),
     "cut short": (at2(VALUES)[:-50], 4, r"says 120 values, .* holds 11\d.*download it"),
     "one value too many": (at2(VALUES) + " .1E+00\n", 4, "120 values, but the file holds 121"),
     "NaN": (
@@ -629,7 +648,7 @@ def test_pipe_is_refused_at_once(tmp_path, suffix):
 
 
 def test_file_without_an_end_is_given_up(tmp_path, monkeypatch):
-    monkeypatch.setattr("rockeom.motion.readers._LARGEST_FILE", 2**21)
+    monkeypatch.setattr("rockeom.motion.formats.text._LARGEST_FILE", 2**21)
     path = write(tmp_path, "r.txt", b"0 1\n" * (2**20))
     with pytest.raises(InputError, match=r"holds more than 2097152 bytes. Remedy: cut it"):
         GroundMotion.read(path, units="g")

@@ -45,7 +45,8 @@ def folder(tmp_path):
 
 
 def test_records_of_a_folder_are_named_as_their_files_and_in_their_order(folder):
-    found = MotionSet.from_folder(folder)
+    with pytest.warns(UserWarning, match=r"no accelerations of a network or PEER: notes\.txt"):
+        found = MotionSet.from_folder(folder)
     assert found.names == ("a", "b")
     assert found.name == folder.name
     assert found["a"].peak == pytest.approx(0.4 * 9.81)

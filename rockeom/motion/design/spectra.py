@@ -373,7 +373,9 @@ class DesignSpectrum(metaclass=explained.Constructors):
         require(isinstance(record, GroundMotion), "", "record", record, "give a GroundMotion")
         target = self._target(between)
         found = self._told(self._matched(record, target), target)
-        return replace(found, name=f"{record.name}, matched", is_vertical=record.is_vertical)
+        is_vertical, origin = record.is_vertical, record.origin
+        name = f"{record.name}, matched"
+        return replace(found, name=name, is_vertical=is_vertical, origin=origin)
 
     def _matched(self, record: GroundMotion, target: matching.Target) -> GroundMotion:
         """The record as its wavelets make it, with its name and source."""

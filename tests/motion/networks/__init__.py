@@ -1,0 +1,1 @@
+"""Files as networks give them: twins of each format, an oracle, mutations, and spoiled files."""
