@@ -8,6 +8,9 @@ from rockeom.motion.formats.grammar import Component, Page, Peak, in_si
 _VALUES = r"^\s*(\d+) POINTS OF (ACC|VEL|DIS) DATA EQUALLY SPACED AT\s+(\S+) SEC\.\s+IN UNITS (\S+)"
 BLOCKS = (("ACC", "CM/SEC/SEC"), ("VEL", "CM/SEC"), ("DIS", "CM"))
 
+HEADER = 46
+"""Lines up to the one that states the number and step of the accelerations."""
+
 
 def recognises(head: Sequence[str]) -> bool:
     first = head[0]
@@ -26,11 +29,10 @@ def components(page: Page, gravity: float) -> list[Component]:
     name = page.match(8, r"^COMP\s+(\S+)", "the component, COMP N08W")[1]
     station = page.match(6, r"^STATION\s+(.*?),", "the station")[1]
     n, peak = page.find(
-        r"^PEAK ACCELERATION\s*=\s*(\S+)\s+CMS/SEC/SEC", "the peak acceleration", 1, 46
+        r"^PEAK ACCELERATION\s*=\s*(\S+)\s+CMS/SEC/SEC", "the peak acceleration", 1, HEADER
     )
-    after, _ = page.find(
-        _VALUES.replace("ACC|VEL|DIS", "ACC"), "the number and step of the accelerations"
-    )
+    values = _VALUES.replace("ACC|VEL|DIS", "ACC")
+    after, _ = page.find(values, "the number and step of the accelerations", 1, HEADER)
     begin, blocks = after, []
     for kind, unit in BLOCKS:
         head = page.match(after, _VALUES, f"the number and step of {kind}")

@@ -160,7 +160,7 @@ def unam(lines: list[str]) -> list[Read]:
 def peer(lines: list[str]) -> list[Read]:
     """Free of columns: numbers between blanks, or glued where a sign follows a digit."""
     head = next(n for n, text in enumerate(lines) if re.search(r"npts\s*=", text, re.I))
-    step = re.split(r"dt\s*=", lines[head], flags=re.I)[1].split()[0]
+    step = re.split(r"dt\s*=", lines[head], flags=re.I)[1].split()[0].split(",")[0]
     count = int(re.split(r"npts\s*=", lines[head], flags=re.I)[1].split(",")[0].split()[0])
     fields = re.sub(r"([0-9.])([+-])", r"\1 \2", " ".join(lines[head + 1 :])).split()
     own = np.array([number(field) for field in fields])
