@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.assessment.comparison import Checks, checks_at
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
@@ -47,6 +48,7 @@ def assess(
     impact: ImpactLaw | None = None,
     level: float = 0.95,
     units_checked: bool = False,
+    checks: Checks | None = None,
 ) -> Assessment:
     """Assess whether a structure overturns: a verdict in words, with the numbers behind it and a
     page.
@@ -76,6 +78,9 @@ def assess(
     units_checked : bool, optional
         Whether there is a verdict though lengths, gravity or intensities look as if in another
         unit; the `questions` of the result say which.
+    checks : callable, optional
+        Function of the PGA [m/s2] that returns checks of codes, as those of `analysis.standards`;
+        the answer and its page show them next to the motions of the records at each PGA.
 
     Returns
     -------
@@ -140,11 +145,12 @@ def assess(
         tuple(one.name for one in motions if isinstance(one, GroundMotion)),
         pga,
     )
+    of_codes = checks_at(checks, conditions.levels)
     recorded = as_recorded(structure, conditions)
     trials = scaled(structure, conditions, level)
     changed = remedies(structure, conditions, trials, level)
     return Assessment(
-        structure, conditions, level, statics, recorded, trials, changed, units_checked
+        structure, conditions, level, statics, recorded, trials, changed, units_checked, of_codes
     )
 
 

@@ -12,6 +12,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import Estimate
+from rockeom.analysis.standards.check import Check
+from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
 from rockeom.assessment.statics import Load, Statics
@@ -79,6 +81,8 @@ class Assessment:
         Changed structures, with their statics and trials.
     units_checked : bool, optional
         Whether there is a verdict though a unit is in doubt.
+    checks : tuple of tuple of Check, optional
+        Checks of codes at each PGA (m, k).
     """
 
     structure: Structure
@@ -89,6 +93,7 @@ class Assessment:
     trials: Trials
     remedies: tuple[Remedy, ...]
     units_checked: bool = False
+    checks: tuple[tuple[Check, ...], ...] = ()
 
     # -- numbers
 
@@ -490,14 +495,14 @@ class Assessment:
             Text of several lines.
         """
         rows = [
-            f"PGA {in_g(row.pga)}: {row.overturned} of {row.number}"
-            + f" ({_interval(row)})"
+            f"PGA {in_g(row.pga)}: {_counted(row)}"
             + (f"; others need up to {in_mm(row.room)} of room" if row.room > _STILL else "")
             for row in self.trials.intensities
         ]
         blocks = {
             "Results": self.findings,
             "Overturning against intensity": rows,
+            "Checks of codes": self._checks_in_words(),
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
@@ -511,6 +516,20 @@ class Assessment:
                 for one in sentences
             ]
         return "\n".join(lines)
+
+    def _checks_in_words(self) -> list[str]:
+        if not self._shows_checks:
+            return []
+        levels = [in_g(pga) for pga in self.conditions.levels.tolist()]
+        said = [
+            f"{name}: {'; '.join(f'at {pga} {x}' for pga, x in zip(levels, results, strict=True))}"
+            for name, *results in rows_of(self.checks)
+        ]
+        return [HOW_TO_READ, *said, *sources_of(self.checks)]
+
+    @property
+    def _shows_checks(self) -> bool:
+        return bool(self.checks) and not self._in_doubt
 
     def __str__(self) -> str:
         return self.summary()
@@ -575,6 +594,7 @@ class Assessment:
             "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
             if self._n
             else "",
+            f"<h2>Checks of codes</h2>{self._check_table()}" if self._shows_checks else "",
             f"<h2>Measures that help</h2>{page.bullets(self.helps)}" if self.helps else "",
             f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
             f"<h2>Structure</h2>{page.facts(facts)}",
@@ -599,6 +619,14 @@ class Assessment:
             for row in self.trials.intensities
         ]
         return page.table((*heads, *(["room"] if self._moves else [])), rows)
+
+    def _check_table(self) -> str:
+        """Motions and checks, a column for each PGA."""
+        heads = ("", *map(in_g, self.conditions.levels.tolist()))
+        counts = [("Records that overturn it", *map(_counted, self.trials.intensities))]
+        table = page.table(heads, [*(counts if self._n else []), *rows_of(self.checks)])
+        sources = page.bullets(sources_of(self.checks))
+        return f"<p>{HOW_TO_READ}</p>{page.wide(table)}{sources}"
 
     def _record_table(self) -> str:
         """Records that overturn it first, then those that turn it furthest."""
@@ -634,6 +662,10 @@ def _by_side(texts: Iterable[str]) -> str:
 def _s(n: int) -> str:
     """The end of a verb of which none, one or more are the subject."""
     return "s" * (n <= 1)
+
+
+def _counted(row: AtIntensity) -> str:
+    return f"{row.overturned} of {row.number} ({_interval(row)})"
 
 
 def _interval(row: AtIntensity) -> str:

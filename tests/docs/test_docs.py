@@ -16,10 +16,8 @@ from tests.pages import ROOT, cells, names_of, text_of
 
 DOCS = ROOT / "docs"
 PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations", "derived"} & set(p.parts)]
-GROUPS = tuple(
-    f"analysis.{group}"
-    for group in ["design", "dynamics", "formulas", "identification", "risk", "validation"]
-)
+_GROUPS = "design", "dynamics", "formulas", "identification", "risk", "standards", "validation"
+GROUPS = tuple(f"analysis.{group}" for group in _GROUPS)
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 
 
