@@ -623,7 +623,8 @@ class Assessment:
     def _check_table(self) -> str:
         """Motions and checks, a column for each PGA."""
         heads = ("", *map(in_g, self.conditions.levels.tolist()))
-        counts = [("Records that overturn it", *map(_counted, self.trials.intensities))]
+        title = f"Records that overturn it ({percent(self.level)} interval)"
+        counts = [(title, *map(_counted, self.trials.intensities))]
         table = page.table(heads, [*(counts if self._n else []), *rows_of(self.checks)])
         sources = page.bullets(sources_of(self.checks))
         return f"<p>{HOW_TO_READ}</p>{page.wide(table)}{sources}"

@@ -340,6 +340,7 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
         "how-to/reading-a-response.md",
         "how-to/equations.md",
         "how-to/own-integrator.md",
+        "how-to/codes-of-practice.md",
     ],
 )
 def test_page_runs(name, capsys):
