@@ -54,8 +54,9 @@ class Check:
         return self.demand / self.capacity
 
     def __str__(self) -> str:
-        limit = "" if np.isnan(self.capacity) else f", limit {self.capacity:.3g} {self.unit}"
-        return f"{self.name}: {self.quantity} {self.demand:.3g} {self.unit}{limit}: {self.verdict}"
+        unit = f" {self.unit}" if self.unit else ""
+        limit = "" if np.isnan(self.capacity) else f", limit {self.capacity:.3g}{unit}"
+        return f"{self.name}: {self.quantity} {self.demand:.3g}{unit}{limit}: {self.verdict}"
 
 
 def check_block(where: str, block: Any) -> None:
@@ -85,14 +86,26 @@ def non_negative(where: str, name: str, value: float) -> float:
 
 
 def spectral_displacement(shaking: Shaking, period: float, damping_ratio: float) -> float:
-    """Displacement [m] at a period [s]; a design spectrum of another damping is modified."""
+    """Displacement [m] at a period [s]; a design spectrum of another damping is modified.
+
+    Raises InputTypeError for another shaking, and InputError for a function that gives none.
+    """
     if isinstance(shaking, GroundMotion):
         return float(response_spectrum(shaking, period, damping_ratio).displacement[0])
-    if not isinstance(shaking, DesignSpectrum):
-        return float(shaking(period, damping_ratio))
-    if shaking.damping_ratio == damping_ratio:
-        return float(shaking.displacement(period))
-    return float(modified_spectrum(shaking)(period, damping_ratio))
+    if isinstance(shaking, DesignSpectrum):
+        if shaking.damping_ratio == damping_ratio:
+            return float(shaking.displacement(period))
+        return float(modified_spectrum(shaking)(period, damping_ratio))
+    if not callable(shaking):
+        raise InputTypeError("shaking", shaking).give(
+            "a GroundMotion, a DesignSpectrum, or a function of period and damping ratio"
+        )
+    displacement = float(shaking(period, damping_ratio))
+    if not (np.isfinite(displacement) and displacement >= 0.0):
+        raise InputError("shaking").wrong(
+            f"gives {displacement:g} m at {period:.4g} s: give a function that gives displacements"
+        )
+    return displacement
 
 
 def spectral_acceleration(shaking: Shaking, period: float, damping_ratio: float) -> float:
