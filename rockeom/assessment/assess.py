@@ -23,9 +23,10 @@ from rockeom.assessment.statics import is_symmetric, statics_of
 from rockeom.assessment.trials import Conditions, as_recorded, scaled
 from rockeom.motion import GroundMotion
 from rockeom.motion.components import split
+from rockeom.motion.ground_motion import every_component
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.recording import Recording
-from rockeom.motion.recordings import recordings
+from rockeom.motion.recordings import chosen, recordings
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, not_negative, positive, require
@@ -59,11 +60,11 @@ def assess(
         Structure, rigid or elastic, on rigid ground that its feet may leave, or `StackedBlocks`, of
         which the fall of either block counts.
     records : MotionSet or sequence or path_like
-        A MotionSet, a list of motions or recordings, one of them, a file, or a folder of .AT2
-        files. Each horizontal component is a record by itself; those whose names are of one
-        recording, as "ELC-180" and "ELC-270", count as one in the intervals. Those of `Recording`,
-        such as of ``motions.recordings()``, shake vertically, too. Vertical components that are no
-        part of a recording are left out, and named.
+        A MotionSet, a list of motions or recordings, one of them, a file, or a folder of files of
+        networks. Each horizontal component is a record by itself; those of one recording by their
+        headers, or by their names as "ELC-180" and "ELC-270", count as one in the intervals. Those
+        of `Recording`, such as of ``motions.recordings()``, shake vertically, too. Vertical
+        components that are no part of a recording are left out, and named.
     pga : float or str or sequence of float or str, optional
         Peak ground accelerations that each record is scaled to, numbers [m/s2] or texts such as
         "0.4 g"; eight from 1.25 to 6 times the one that lifts a foot, if not given.
@@ -158,10 +159,14 @@ def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
     """The motions and recordings of a set, a list, a file or a folder."""
     if isinstance(records, str | os.PathLike):
         if Path(records).is_file():
-            return (GroundMotion.read(records),)
+            every = {one.name: one for one in every_component(records)}
+            wanted = every if len(every) == 1 else chosen(every, "horizontal", os.fspath(records))
+            return tuple(wanted.values())
         try:
             return tuple(MotionSet.from_folder(records))
         except InputError as error:
+            if "\n" in error.remedy:  # files that cannot be read
+                raise
             raise error.so(
                 f"{error.remedy}; other files of a folder are read by rk.MotionSet.from_folder("
                 f'{os.fspath(records)!r}, pattern="*.txt", units="g")'

@@ -28,12 +28,14 @@ def written(folder, files):
     return [folder / name for name in files]
 
 
+@pytest.mark.filterwarnings("ignore:.*vertical components")
 def test_components_of_a_station_are_one_recording_whatever_their_files_are_called(tmp_path):
     written(tmp_path, {"0111a.x": ("dyna", {}), "CHAN002.V2": ("dyna", NORTH)})
     (recording,) = rk.MotionSet.from_folder(tmp_path).scaled_to("pga", 1.0).recordings()
     assert [one.name for one in recording.horizontal] == ["0111a", "CHAN002"]
-    assert recording.name == "XX.ABC1, HN, NOWHERE"
-    assert len(by_recording(rk.MotionSet.from_folder(tmp_path))) == 1
+    block = rk.RigidBlock(half_width=0.15, half_height=0.75)
+    answer = rk.assess(block, *written(tmp_path, {"C": ("cwb", {})}), pga=2.0)
+    assert answer.conditions.recordings.tolist() == [0, 0]
 
 
 @pytest.mark.parametrize("other", OTHERS)

@@ -26,7 +26,6 @@ SPOILED = [
     Spoiled("dyna", r"INTERVAL_S: 0.01", "INTERVAL_S:", 4, "SAMPLING_INTERVAL_S is ''", "plain"),
     Spoiled("dyna", r"ACCELERATION", "VELOCITY", 10, "velocity, not of acceleration", OTHER),
     Spoiled("dyna", r"cm/s\^2\n", "cm/s\n", 7, "unit is 'cm/s', and cm/s^2 belongs"),
-    Spoiled("dyna", r"NETWORK: XX\n", "", 64, "should give a line KEY: value"),
     Spoiled("dyna", r"(?s)(.{2400}).*", r"\1", 233, "ends here, where sample 170 of 400"),
     Spoiled("dyna", r"(S\^2:).*", r"\1 0E400", 8, "stated peak of HNE is 0E400", "stated_peak="),
     Spoiled("geonet_v2a", r"points  400", "points  399", 20, "400 points, where line 10 has 399"),
