@@ -14,11 +14,7 @@ SPECTRUM = rk.DesignSpectrum.eurocode_8("0.5 g", "A")
 
 
 def checks(pga):
-    return [
-        standards.west_uplift(BLOCK, pga),
-        standards.mallet_overturning(BLOCK, 0.05 * pga),
-        standards.asce_43_sliding(0.9, 0.0, SPECTRUM),
-    ]
+    return [standards.west_uplift(BLOCK, pga), standards.asce_43_sliding(0.9, 0.0, SPECTRUM)]
 
 
 @pytest.fixture(scope="module")
@@ -33,16 +29,13 @@ def cells(page):
 
 
 def test_page_has_motions_and_checks_at_each_pga(answer):
-    heads, counts, west, mallet, sliding = cells(answer.html())
+    heads, counts, west, sliding = cells(answer.html())
     assert heads == ["", "0.35 g", "0.45 g", "0.6 g"]
     for cell, row in zip(counts[1:], answer.trials.intensities, strict=True):
         assert cell.startswith(f"{row.overturned} of {row.number} (")
         assert cell.endswith(f"to {100 * row.upper:.0f} %)")
     # g b/h is 0.25 g
     assert west == ["West", *(f"{x / 0.25:.2f}, a foot lifts" for x in (0.35, 0.45, 0.6))]
-    assert mallet[0] == "Mallet"
-    limit = standards.mallet_overturning(BLOCK, 1.0).capacity
-    assert mallet[1] == f"{0.05 * PGA[0] / limit:.2f}, stands"
     assert sliding[1:] == ["0 m, stays in its place"] * 3
 
 
