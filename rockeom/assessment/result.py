@@ -130,9 +130,8 @@ class Assessment:
         if not standing or self._slides:
             return None
         furthest = max(standing, key=lambda i: self.records[i].rotation)
-        motion, impact = self.conditions.motions[furthest], self.conditions.impact
-        duration = case_of(self.structure, motion, impact).duration
-        return simulate(self.structure, motion, impact=impact, duration=duration)
+        motion = self.conditions.motions[furthest]
+        return simulate(case_of(self.structure, motion, self.conditions))
 
     # -- questions
 
@@ -264,7 +263,7 @@ class Assessment:
                 "Sliding: not judged, since no coefficient of friction was given; below "
                 f"{_by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
             )
-        slides = in_g(friction * self.statics.weight / self.statics.mass)
+        slides = in_g(self.statics.sliding_acceleration(friction))
         phrases = {
             True: f"slides first, from {slides} on, since its friction, {friction:g}, is below ",
             False: f"rocks first, since its friction, {friction:g}, is above ",
@@ -358,7 +357,7 @@ class Assessment:
             height = step * np.floor(highest / step)
             which = "the highest place where it does not push the base out"
         force, held = self.statics.strap(load, height), self.statics.hold_down(load)
-        pushed = self.statics.mass * top
+        pushed = self.statics.mass * (top + abs(self.statics.along))
         if force == 0.0 or not self.statics.one_body:
             return
         if np.isnan(force):
@@ -412,6 +411,11 @@ class Assessment:
         if shaken:
             said.append(
                 f"Vertical shaking: that of {shaken} of {self._motions(self._n)}, scaled along."
+            )
+        if slope := self.conditions.slope:
+            said.append(
+                f"Slope: {np.degrees(slope):.3g} degrees, falling to the right; the records act "
+                "along it and normal to it."
             )
         still = "" if shaken else "no vertical shaking, "
         said.append(
