@@ -90,9 +90,8 @@ def _overturning_angle(structure: Any, weight: tuple[float, float], side: float)
         if len(others) > 2:
             return math.nan
         others = []
-    upright = structure.state({})
     try:
-        lean = standing_on(structure, upright, weight)[m.ROTATION]
+        lean = standing_on(structure, structure.state({}), weight)[m.ROTATION]
     except InputError:
         return math.nan
     leans = _mode_of(structure, side)
@@ -128,12 +127,8 @@ def standing_on(structure: Any, y: np.ndarray, weight: tuple[Any, Any]) -> np.nd
 
 def _mode_of(structure: Any, side: float) -> ModeOf:
     """Finds the mode of a state, which turns to a side where it is upright."""
-
-    def mode_of(y: np.ndarray) -> int:
-        of = modes_of(structure.module).mode_of
-        return of(structure.module, y, value_of(structure.vector), lambda: side)
-
-    return mode_of
+    m, p = structure.module, value_of(structure.vector)
+    return lambda y: modes_of(m).mode_of(m, y, p, lambda: side)
 
 
 def _at_rest(

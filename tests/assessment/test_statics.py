@@ -127,7 +127,6 @@ def test_a_block_on_a_slope_is_held_by_a_strap_and_slides_first_as_on_level_grou
     assert statics.frictions_to_rock == pytest.approx((b / h, b / h))
     downhill = G * (mu * math.cos(phi) - math.sin(abs(phi)))
     assert statics.sliding_acceleration(mu) == pytest.approx(downhill)
-    assert statics.centroid_height == pytest.approx(h)
     along, normal = m * (a + G * math.sin(abs(phi))), m * G * math.cos(phi)
     lifting = along * h - normal * b
     assert statics.strap(Load(a), 2.0 * h) == pytest.approx(lifting / (2.0 * h))
@@ -137,12 +136,10 @@ def test_a_block_on_a_slope_is_held_by_a_strap_and_slides_first_as_on_level_grou
 def test_assessment_on_a_slope_counts_both_directions_and_refuses_where_nothing_stands():
     block, record = rk.RigidBlock(half_width=0.2, half_height=0.7), rk.GroundMotion.ricker(4.0, 0.7)
     answer = rk.assess(block, record, slope="5 deg", pga=[4.0], units_checked=True)
-    assert answer.records[0].name != answer.records[1].name
     ways = [rk.simulate(block, way * record, slope="5 deg", duration=record.duration + 10.0)
             for way in (1.0, -1.0)]  # fmt: skip
     for one, run in zip(answer.records, ways, strict=True):
         assert one.rotation == pytest.approx(abs(run.extremes("theta").peak), rel=1e-6)
-    assert answer.records[0].part == pytest.approx(abs(ways[0].extremes("rotation_ratio").peak))
     assert "the records act along it" in " ".join(answer.assumptions)
     assert refused(rk.assess, block, record, slope="20 deg")[0] == "slope"
     assert refused(rk.assess, block, record, slope="5 deg", friction=0.08)[0] == "slope"
