@@ -171,7 +171,10 @@ class Assessment:
     def title(self) -> str:
         """Question of the assessment, with the structure and the number of records."""
         n = self._n // 2 if self.conditions.both_ways else self._n
-        return f"Will it overturn? {type(self.structure).__name__} under {plural(n, 'record')}"
+        slope = np.degrees(self.conditions.slope)
+        where = f" on a slope of {slope:.3g} degrees" if slope else ""
+        who = type(self.structure).__name__
+        return f"Will it overturn? {who}{where} under {plural(n, 'record')}"
 
     @cached_property
     def verdict(self) -> str:
@@ -412,11 +415,8 @@ class Assessment:
             said.append(
                 f"Vertical shaking: that of {shaken} of {self._motions(self._n)}, scaled along."
             )
-        if slope := self.conditions.slope:
-            said.append(
-                f"Slope: {np.degrees(slope):.3g} degrees, falling to the right; the records act "
-                "along it and normal to it."
-            )
+        if self.conditions.slope:
+            said.append("Slope: it falls to the right; the records act along it and normal to it.")
         still = "" if shaken else "no vertical shaking, "
         said.append(
             f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
@@ -568,7 +568,7 @@ class Assessment:
 
     def _body(self) -> str:
         shaken = simulated(self.structure, self.conditions)
-        facts = facts_of(shaken, self.conditions.impact)
+        facts = facts_of(shaken, self.conditions.impact, self.conditions.slope)
         parts = [
             *(f'<p class="question">{escape(one)}</p>' for one in self.questions),
             f'<p class="verdict">{escape(self.verdict)}</p>',

@@ -141,7 +141,10 @@ def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
     uplifts, alpha = uplift_accelerations(structure, slope), structure.slenderness or math.inf
     if min(uplifts) <= 0.0 if uplifts else structure.has_landings and abs(slope) >= alpha:
         said.append("turns downhill about its edge without any shaking")
-    friction, least = least_friction(structure), abs(math.tan(slope))
+    friction, least = math.inf, abs(math.tan(slope))
+    if structure.has_landings:
+        each = friction_of(structure.module, structure.vector)
+        friction = min(each[[*points]].max() for points in surfaces(structure.module).values())
     if friction < least:
         said.append(
             f"slides downhill, since its friction, {friction:.4g}, is below {least:.4g}, the "
@@ -149,15 +152,6 @@ def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
         )
     words = f"On a slope of {with_degrees(slope, 'rad')} it cannot stand: it"
     return tuple(f"{words} {one}." for one in said)
-
-
-def least_friction(structure: Structure) -> float:
-    """Friction of the surface that slides first on a slope; inf where none slides."""
-    if not structure.has_landings:
-        return math.inf
-    friction = friction_of(structure.module, structure.vector)
-    groups = surfaces(structure.module).values()
-    return min((friction[[*points]].max() for points in groups), default=math.inf)
 
 
 def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:

@@ -140,6 +140,7 @@ def test_assessment_on_a_slope_counts_both_directions_and_refuses_where_nothing_
             for way in (1.0, -1.0)]  # fmt: skip
     for one, run in zip(answer.records, ways, strict=True):
         assert one.rotation == pytest.approx(abs(run.extremes("theta").peak), rel=1e-6)
+    assert "RigidBlock on a slope of 5 degrees under 1 record" in answer.title
     assert "the records act along it" in " ".join(answer.assumptions)
     assert refused(rk.assess, block, record, slope="20 deg")[0] == "slope"
     assert refused(rk.assess, block, record, slope="5 deg", friction=0.08)[0] == "slope"

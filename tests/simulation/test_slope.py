@@ -267,8 +267,7 @@ def surface(figure: Figure) -> float:
 
 
 def test_pictures_are_drawn_on_the_slope():
-    figure = draw_structure(BLOCK, state={"theta": 0.1}, slope="10 deg")
-    assert surface(figure) == pytest.approx(math.radians(10.0))
+    assert surface(draw_structure(BLOCK, slope="10 deg")) == pytest.approx(math.radians(10.0))
     run = rk.simulate(BLOCK, SINE, slope="10 deg", initial={"theta": 0.02})
     figure = Figure()
     animate(run, end=0.2).draw(0, figure.add_subplot())
