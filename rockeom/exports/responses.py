@@ -20,6 +20,7 @@ from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import InputError, InputTypeError, described, is_number
@@ -289,6 +290,8 @@ class _File:
             record=self.record(n, n_modes, definition["quantities"]),
             events=Events(structure, EventColumns(times, kinds, states)),
             end=self.array("end", n),
+            slope=definition.get("slope", 0.0),
+            ground_axes=definition.get("ground_axes", SLOPE),
         )
 
 

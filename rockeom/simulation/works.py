@@ -30,7 +30,9 @@ class EnergyBalance(NamedTuple):
     Parameters
     ----------
     input : float
-        Work of the shaking on the masses, seen from the ground that moves [J].
+        Work of the shaking on the masses, seen from the ground that moves [J]. On a slope the
+        gravitational energy is m g times the height along its normal, and the rest of the work of
+        the weight counts here.
     damping : float
         Energy lost in dampers and by yielding, less the work of forces that are declared by
         themselves (`Force`) [J].
