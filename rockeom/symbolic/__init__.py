@@ -6,7 +6,7 @@ from rockeom.numbers import explained
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
-from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.elements import Break, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
     Body,
@@ -42,6 +42,7 @@ __all__ = [
     "SHIPPED",
     "SIDE",
     "Body",
+    "Break",
     "Contact",
     "Coordinate",
     "Definition",
@@ -57,6 +58,7 @@ __all__ = [
     "Rigid",
     "RockingModel",
     "Spring",
+    "Tie",
     "Transition",
     "Unilateral",
     "Yielding",
