@@ -132,9 +132,7 @@ class Tie:
         valid.not_negative(what, **self.constants)
         for item in sorted(self.positive):
             if sp.sympify(getattr(self, item)).is_zero:
-                raise ValueError(
-                    f"{what}: its {item} is zero: give a positive one, or leave it out"
-                )
+                raise InputError(item, 0, what).give("a positive one, or leave it out")
         if not self.yields and (self.hardening != 0 or "energy" in self.limits):
             raise InputError("strength", self.strength, what).give(
                 "a finite one, at which it yields, with hardening and with an energy at a break"
