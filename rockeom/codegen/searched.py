@@ -458,7 +458,7 @@ def _jump(written: Written) -> None:
                 guard = Guard(SWITCH, len(of.contacts) + i, place=place)
                 behind = len(switches) - switches.index(guard)
                 if ending.sets:
-                    lines += put(ending.sets, i, state, f"guard == GUARDS[mode] - {behind}")
+                    lines += put(dict(ending.sets), i, state, f"guard == GUARDS[mode] - {behind}")
     text.function(
         "jump(mode, guard, law, ratio, y, p, out)",
         "The state goes on into out (N,); returns the mode that follows a guard's fall.",

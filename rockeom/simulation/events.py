@@ -146,7 +146,9 @@ class Events(Sequence[Event]):
         return tuple(
             Event(
                 float(time),
-                BREAK if contact in ties and pair[1, ties[contact]] > pair[0, ties[contact]] else KINDS[kind],
+                BREAK
+                if contact in ties and pair[1, ties[contact]] > pair[0, ties[contact]]
+                else KINDS[kind],
                 module.MODES[before],
                 module.MODES[after],
                 dict(zip(states, pair[0].tolist(), strict=True)),

@@ -394,7 +394,10 @@ def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -
     """
     number = number_of(module, mode)
     for name, i in breaking(module).items():
-        if value_of(y)[i] == 1.0 and module.ELEMENT_STATES[number][module.ELEMENTS.index(name)] >= 0:
+        if (
+            value_of(y)[i] == 1.0
+            and module.ELEMENT_STATES[number][module.ELEMENTS.index(name)] >= 0
+        ):
             raise InputError("mode", mode, module.NAME).says(
                 f"the mode {mode!r} contradicts {name}_broken = 1: {name} pulls in it; leave the "
                 "mode out"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.symbolic import Break, Tie, parameter
+from rockeom.symbolic import Break, Damper, Spring, Tie, Unilateral, parameter
 from tests.contact import declared
 from tests.refusals import told
 
@@ -27,11 +27,14 @@ def torn(limit: str, **tie) -> type:
     return replace(of, elements=(Tie("tie", pulled, K, **tie, **breaks),))
 
 
+VALUES = {
+    "mass": M, "height": 1.0, "inertia": 0.7, "gravity": 9.81, "friction": 0.4,
+    "restitution": 0.0, "limit": 0.2,
+}  # fmt: skip
+
+
 def case(limit: str, value: float, duration: float, initial=None, **tie) -> rk.Case:
-    block = rk.structure(
-        torn(limit, **tie), mass=M, height=1.0, inertia=0.7, gravity=9.81, friction=0.4,
-        restitution=0.0, limit=value,
-    )  # fmt: skip
+    block = rk.structure(torn(limit, **tie), **(VALUES | {"limit": value}))
     start = {"y": 100.0, "x_dot": V} if initial is None else initial
     return rk.Case(block, rk.GroundMotion.none(duration), initial=start)
 
@@ -142,6 +145,42 @@ def test_a_tie_without_a_strength_has_two_states_and_no_variable_of_its_own():
     run = run_of("none", 1.0, 2.0, slack_length=0.05)
     switches = [event.time for event in run.events]
     assert switches == pytest.approx([0.05 / V, 0.05 / V + np.pi / OMEGA], abs=1e-8)
+
+
+@cache
+def damped(stop: bool):
+    """The block on a damper that breaks at its stroke, or meets a stop there."""
+    of = declared.on_points(f"damped_{stop}", {"tip": (0, 0)}, LIMIT)
+    pulled, stroke = declared.block().position[0], LIMIT.symbol
+    elements = (Damper("damper", pulled, 4.0, stroke),)
+    if stop:
+        elements = (Spring("damper", pulled, damping=4.0), Unilateral("stop", pulled - stroke, K))
+    return replace(of, elements=elements)
+
+
+STROKE = 0.2
+AT_END = V - 4.0 * STROKE / M  # speed at the end of the stroke
+TO_END = -M / 4.0 * np.log(AT_END / V)
+
+
+@pytest.mark.parametrize("speed", [V, -V])
+def test_a_damper_breaks_at_the_end_of_its_stroke(speed):
+    of = replace(case("force", 1.0, 1.0), structure=rk.structure(damped(False), **VALUES))
+    run = rk.simulate(replace(of, initial={"y": 100.0, "x_dot": speed}), options=FINE)
+    assert [e.kind for e in run.events] == ["break"]
+    assert run.events.times == pytest.approx([TO_END], abs=1e-8)
+    assert run["x_dot"][-1] == pytest.approx(np.sign(speed) * AT_END, rel=1e-9)
+    assert run["damper_loss"][-1] == pytest.approx(0.5 * M * (V**2 - AT_END**2), rel=1e-9)
+    assert run.energy_balance().breaks == 0.0
+
+
+def test_a_damper_meets_a_stop_at_the_end_of_its_stroke():
+    of = replace(case("force", 1.0, 1.0), structure=rk.structure(damped(True), **VALUES))
+    meets, leaves = rk.simulate(of, options=FINE).events.times
+    assert meets == pytest.approx(TO_END, abs=1e-8)
+    decay, omega = 4.0 / (2 * M), np.sqrt(K / M - (4.0 / (2 * M)) ** 2)
+    assert leaves - meets == pytest.approx(np.pi / omega, abs=1e-8)
+    assert decay < omega
 
 
 REFUSED = {

@@ -10,7 +10,7 @@ import sympy as sp
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending
+from rockeom.symbolic.elements.states import Ending, broken_of, where_whole
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
@@ -170,14 +170,15 @@ class Tie:
     @cached_property
     def broken(self) -> InternalVariable:
         """1 once it has broken, else 0."""
-        return internal_variable(
-            f"b_{self.name}", f"{self.name}_broken", "-", f"1 once {self.name} has broken"
-        )
+        return broken_of(self.name)
 
     @property
     def internal(self) -> tuple[InternalVariable, ...]:
         """Its internal variables: the permanent extension, and whether it has broken."""
-        return (*((self.variable,) if self.yields else ()), *((self.broken,) if self.limits else ()))
+        return (
+            *((self.variable,) if self.yields else ()),
+            *((self.broken,) if self.limits else ()),
+        )
 
     @property
     def displacement(self) -> sp.Expr:
@@ -296,6 +297,7 @@ class Tie:
         Each is out of reach where it has broken, but that the slack state stays.
         """
         whole = self._whole
+        rows: dict[int, tuple[Ending, ...]]
         if not self.yields:
             rows = {
                 ELASTIC: (Ending((whole(self._elastic),), SLACK, 0),),
@@ -322,10 +324,7 @@ class Tie:
 
     def _whole(self, guard: sp.Expr) -> sp.Expr:
         """A guard that is positive where the tie pulls; negative where it has broken."""
-        if not self.limits:
-            return guard
-        b = self.broken.symbol
-        return (1 - b) * guard - b * self._size
+        return where_whole(guard, self.broken, self._size) if self.limits else guard
 
     @property
     def _size(self) -> sp.Expr:
@@ -345,4 +344,4 @@ class Tie:
         }[name]
         if state == SLACK:
             reserve = self._size
-        return Ending((reserve,), SLACK, sets={self.broken: sp.S.One})
+        return Ending((reserve,), SLACK, sets=((self.broken, sp.S.One),))
