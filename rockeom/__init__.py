@@ -27,6 +27,8 @@ _NAMES_OF = {
     "rockeom.browser.controls": ("Slider",),
     "rockeom.browser.lesson": ("Question",),
     "rockeom.browser.page": ("Explorer", "explorer"),
+    "rockeom.numbers.breaks": ("Break",),
+    "rockeom.structures.restraints": ("Anchor", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),

@@ -23,7 +23,7 @@ from rockeom.structures.supports import Support, SupportedStructure
 class _Derived(Support):
     """A support that is a part of the derivation."""
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         return module_of(superstructure, **arguments, **self.derivation)
 
 
@@ -405,7 +405,7 @@ class ShearFrame(SupportedStructure):
         "dampings": "damping",
         "inertias": "inertia",
     }
-    not_numbers = frozenset({*of_each, "support"})
+    not_numbers = frozenset({*of_each, "support", "restraint"})
     masses: Sequence[float]
     heights: Sequence[float]
     stiffnesses: Sequence[float]
@@ -498,7 +498,10 @@ class ShearFrame(SupportedStructure):
         }
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             values[name] = getattr(self, name)
-        return values | (self.support.parameters() if self.support else {})
+        support = self.support.parameters() if self.support else {}
+        for one in self.restraint:
+            support |= one.parameters()
+        return values | support
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

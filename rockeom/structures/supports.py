@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import InputTypeError
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.restraints import checked
 
 
 class Support:
@@ -33,15 +34,15 @@ class Support:
         """Arguments of `rockeom.derive` that stand for the support."""
         return {}
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         """Generated module of a superstructure that stands on the support.
 
         Parameters
         ----------
         superstructure : str
             Name of the model.
-        **arguments : int
-            Arguments of a family, such as the number of storeys.
+        **arguments : object
+            Arguments of a family, such as the number of storeys, and restraints.
 
         Returns
         -------
@@ -85,12 +86,21 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
 class SupportedStructure(StructureWithFields):
     """A structure that stands on any support."""
 
-    not_numbers = frozenset({"support"})
+    not_numbers = frozenset({"support", "restraint"})
     support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+    restraint: Any = ()
 
     def __post_init__(self) -> None:
+        what = type(self).__name__
         mass, inertia = self.of_base()
-        check_support(type(self).__name__, self.support, mass, inertia)
+        check_support(what, self.support, mass, inertia)
+        object.__setattr__(self, "restraint", checked(what, self.restraint))
+        if self.restraint and getattr(self.support, "kind", "") != "sliding":
+            raise InputError("restraint").says(
+                f"a restrained {what} stands on feet that may slide: give "
+                "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
+                "that do not"
+            )
 
     def of_base(self) -> tuple[float, float]:
         """Mass and inertia of all that moves with the base as one body.
@@ -106,16 +116,26 @@ class SupportedStructure(StructureWithFields):
 
     @property
     def derivation(self) -> dict[str, Any]:
-        return dict(self.support.derivation) if self.support else {}
+        return (dict(self.support.derivation) if self.support else {}) | self._restraints
+
+    @property
+    def _restraints(self) -> dict[str, Any]:
+        """The argument of a derivation that stands for the restraints."""
+        kinds = tuple(one.of_derivation for one in self.restraint)
+        return {"restraint": kinds} if kinds else {}
 
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module, of this support."""
-        return self.support.module(self.model) if self.support else super().module
+        if not self.support:
+            return super().module
+        return self.support.module(self.model, **self._restraints)
 
     def parameters(self) -> dict[str, float]:
         own = set(self.defaults())
         support = self.support.parameters() if self.support else {}
+        for one in self.restraint:
+            support |= one.parameters()
         names = (n for n in self.module.PARAMETERS if n in own)
         return {**{name: getattr(self, name) for name in names}, **support}
 

@@ -6,10 +6,11 @@ zero. A `Spring` has one state, and its chi has no meaning. Elements add forces 
 change none of its constraints. A new element is a file here, and a line in the union below.
 """
 
+from rockeom.numbers.breaks import Break
 from rockeom.symbolic.elements.damper import Damper
 from rockeom.symbolic.elements.spring import Spring
 from rockeom.symbolic.elements.states import Ending, switch_of
-from rockeom.symbolic.elements.tie import Break, Tie
+from rockeom.symbolic.elements.tie import Tie
 from rockeom.symbolic.elements.unilateral import Unilateral
 from rockeom.symbolic.elements.yielding import Yielding
 

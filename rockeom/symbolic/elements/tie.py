@@ -8,6 +8,7 @@ from typing import ClassVar
 import sympy as sp
 
 from rockeom.numbers import explained
+from rockeom.numbers.breaks import Break
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.symbolic import valid
 from rockeom.symbolic.elements.states import Ending, broken_of, where_whole
@@ -15,45 +16,6 @@ from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
 SLACK, ELASTIC, YIELDS = -1, 0, 1
-
-
-@explained.record()
-@dataclass(frozen=True, kw_only=True)
-class Break:
-    """Limit at which a tie breaks: one of three.
-
-    Parameters
-    ----------
-    force : sympy.Expr, optional
-        Force [N].
-    extension : sympy.Expr, optional
-        Elongation w, of which the slack length is a part [m].
-    energy : sympy.Expr, optional
-        Energy dissipated by yielding [J].
-
-    Raises
-    ------
-    InputError
-        For none of them, or several.
-    """
-
-    force: sp.Expr | None = None
-    extension: sp.Expr | None = None
-    energy: sp.Expr | None = None
-
-    def __post_init__(self) -> None:
-        if len(self.limits) != 1:
-            raise InputError("breaks_at", [*self.limits], "Break").give(
-                "one of force, extension and energy"
-            )
-        valid.expressions("Break", **self.limits)
-        valid.not_negative("Break", **self.limits)
-
-    @property
-    def limits(self) -> dict[str, sp.Expr]:
-        """The limit that is given, by its name."""
-        every = {"force": self.force, "extension": self.extension, "energy": self.energy}
-        return {name: value for name, value in every.items() if value is not None}
 
 
 @explained.record()
@@ -128,8 +90,8 @@ class Tie:
             raise InputTypeError("breaks_at", self.breaks_at, what).give(
                 "such as Break(force=F_u), Break(extension=w_u) or Break(energy=E_u)"
             )
-        valid.expressions(what, elongation=self.elongation, **self.constants)
-        valid.not_negative(what, **self.constants)
+        valid.expressions(what, elongation=self.elongation, **self.constants, **self.limits)
+        valid.not_negative(what, **self.constants, **self.limits)
         for item in sorted(self.positive):
             if sp.sympify(getattr(self, item)).is_zero:
                 raise InputError(item, 0, what).give("a positive one, or leave it out")

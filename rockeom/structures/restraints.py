@@ -1,0 +1,202 @@
+"""Restraints: straps and anchors that hold a structure whose feet may slide, until they break."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from rockeom.numbers import explained
+from rockeom.numbers.breaks import Break
+from rockeom.numbers.checks import InputError, InputTypeError, number, require_word
+from rockeom.structures.parameters import check_values
+
+_FEET = ("left", "right")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Restraint:
+    """A tie of a structure on sliding feet, by numbers; `Anchor` and `Strap` say where it is."""
+
+    kind: ClassVar[str] = ""
+
+    stiffness: float
+    strength: float = math.inf
+    hardening: float = 0.0
+    slack_length: float = 0.0
+    pretension: float = 0.0
+    breaks_at: Break | None = None
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        what = type(self).__name__
+        values = {n: getattr(self, n) for n in ("hardening", "slack_length", "pretension")}
+        check_values(what, {"stiffness": self.stiffness})
+        check_values(what, values, frozenset(values))
+        if number("strength", self.strength, what) != math.inf:
+            check_values(what, {"strength": self.strength})
+        object.__setattr__(self, "name", self.name or self.kind)
+        if not (isinstance(self.name, str) and self.name.isidentifier()):
+            raise InputError("name", self.name, what).give("a word of letters, digits and _")
+        if not isinstance(self.breaks_at, Break | None):
+            raise InputTypeError("breaks_at", self.breaks_at, what).give(
+                "rk.Break(force=...), rk.Break(extension=...) or rk.Break(energy=...)"
+            )
+        check_values(what, self.limits)
+        if math.isinf(self.strength) and (self.hardening or "energy" in self.limits):
+            raise InputError("strength", self.strength, what).give(
+                "a finite one, at which it yields, with hardening and with an energy at a break"
+            )
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """The limit at which it breaks, by its name; empty for one that never does."""
+        return {} if self.breaks_at is None else self.breaks_at.limits
+
+    @property
+    def place(self) -> str:
+        """Where it is, as the derivation calls it."""
+        return self.kind
+
+    @property
+    def of_derivation(self) -> tuple[str, str, bool, str]:
+        """Its place, its name, whether it yields, and at what limit it breaks, or an empty text."""
+        (limit,) = self.limits or ("",)
+        return self.place, self.name, not math.isinf(self.strength), limit
+
+    def parameters(self) -> dict[str, float]:
+        """Values by the names that they have in the generated module."""
+        values = {n: getattr(self, n) for n in ("stiffness", "slack_length", "pretension")}
+        if not math.isinf(self.strength):
+            values |= {"strength": self.strength, "hardening": self.hardening}
+        if self.limits:
+            (values["limit"],) = self.limits.values()
+        return {f"{self.name}_{name}": value for name, value in (values | self.places()).items()}
+
+    def places(self) -> dict[str, float]:
+        """Coordinates of its ends [m]."""
+        return {}
+
+
+@explained.record(k="stiffness=")
+@dataclass(frozen=True, kw_only=True)
+class Anchor(Restraint):
+    """Vertical anchor at a foot, which pulls where the foot rises.
+
+    Parameters
+    ----------
+    foot : str
+        "left" or "right".
+    stiffness : float
+        Stiffness [N/m].
+    strength : float, optional
+        Force at which it first yields [N]; infinity for one that stays elastic.
+    hardening : float, optional
+        Force by which it yields more, a permanent extension [N/m].
+    slack_length : float, optional
+        Rise at which it begins to pull [m], such as the play of a bolt.
+    pretension : float, optional
+        Force where the foot stands [N].
+    breaks_at : Break, optional
+        Limit at which it breaks, for good; None for one that never does.
+    name : str, optional
+        Name of its quantities; "anchor_left" or "anchor_right" if not given.
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, and for another limit.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> bolt = rk.Anchor(
+    ...     foot="left", stiffness=40e6, strength=20e3, breaks_at=rk.Break(extension=0.02)
+    ... )  # N/m, N, m
+    """
+
+    kind: ClassVar[str] = "anchor"
+    foot: str
+
+    def __post_init__(self) -> None:
+        require_word("foot", self.foot, _FEET, "Anchor")
+        object.__setattr__(self, "name", self.name or self.place)
+        super().__post_init__()
+
+    @property
+    def place(self) -> str:
+        return f"anchor_{self.foot}"
+
+
+@explained.record(k="stiffness=")
+@dataclass(frozen=True, kw_only=True)
+class Strap(Restraint):
+    """Strap between a point of the structure and one that is fixed, with its exact length.
+
+    Parameters
+    ----------
+    at : tuple of (float, float)
+        Point of the structure, from the middle of its base when it stands, x to the right [m].
+    to : tuple of (float, float)
+        Fixed point, from the same place [m].
+    stiffness : float
+        Stiffness [N/m].
+    strength : float, optional
+        Force at which it first yields [N]; infinity for one that stays elastic.
+    hardening : float, optional
+        Force by which it yields more, a permanent extension [N/m].
+    slack_length : float, optional
+        Length by which it is longer than the distance of the two points [m].
+    pretension : float, optional
+        Force when the structure stands [N].
+    breaks_at : Break, optional
+        Limit at which it breaks, for good; None for one that never does.
+    name : str, optional
+        Name of its quantities, "strap" if not given.
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, another limit, and two points in one place.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> strap = rk.Strap(
+    ...     at=(0.25, 1.6), to=(0.6, 1.6), stiffness=2e5, breaks_at=rk.Break(force=3e3)
+    ... )  # m, m, N/m, N
+    """
+
+    kind: ClassVar[str] = "strap"
+    at: tuple[float, float] = field()
+    to: tuple[float, float] = field()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name in ("at", "to"):
+            point = getattr(self, name)
+            if not (isinstance(point, Sequence) and len(point) == 2):
+                raise InputTypeError(name, point, "Strap").give("two numbers, x and y [m]")
+            pair = tuple(number(name, value, "Strap") for value in point)
+            object.__setattr__(self, name, pair)
+        if self.at == self.to:
+            raise InputError("to", self.to, "Strap").give("another place than that of at")
+
+    def places(self) -> dict[str, float]:
+        (x, y), (to_x, to_y) = self.at, self.to
+        return {"x": x, "y": y, "to_x": to_x, "to_y": to_y}
+
+
+RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break)}
+"""Classes of restraints, and of what they are made of, by their names in files."""
+
+
+def checked(what: str, restraint: Any) -> tuple[Restraint, ...]:
+    """The restraints of a structure; raises for others, and for two of one name."""
+    every = (restraint,) if isinstance(restraint, Restraint) else tuple(restraint)
+    for one in every:
+        if not isinstance(one, Restraint):
+            raise InputTypeError("restraint", one, what).give("rk.Anchor(...) or rk.Strap(...)")
+    names = [one.name for one in every]
+    if len(set(names)) < len(names):
+        raise InputError("restraint", names, what).give("a name= to each, which no other has")
+    return every
