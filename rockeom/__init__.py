@@ -142,6 +142,7 @@ if TYPE_CHECKING:
         Recording as Recording,
     )
     from rockeom.motion.floor import floor_motion as floor_motion
+    from rockeom.numbers.breaks import Break as Break
     from rockeom.numbers.checks import InputError as InputError
     from rockeom.numbers.dual import Dual as Dual, duals as duals
     from rockeom.simulation.case import Case as Case
@@ -163,6 +164,7 @@ if TYPE_CHECKING:
         VelocityRatio as VelocityRatio,
     )
     from rockeom.structures.modal import rayleigh_damping as rayleigh_damping
+    from rockeom.structures.restraints import Anchor as Anchor, Strap as Strap
     from rockeom.sweeps.dataset import Sweep as Sweep
     from rockeom.sweeps.options import SweepOptions as SweepOptions
     from rockeom.sweeps.run import simulate_many as simulate_many

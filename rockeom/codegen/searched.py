@@ -33,7 +33,7 @@ from rockeom.codes import (
 from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contacts import Contact, ContactDeclaration
-from rockeom.symbolic.elements import Ending
+from rockeom.symbolic.elements import Ending, Tie
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import GROUND_Y, Body, InternalVariable
@@ -648,6 +648,11 @@ def _tables(written: Written) -> list[str]:
         f"N_POINTS = {len(of.contacts)}",
         f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
+        *(
+            [f"TIES = {ties!r}"]
+            if (ties := tuple(e.name for e in of.switching if isinstance(e, Tie)))
+            else []
+        ),
         *_impact_law(of),
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),

@@ -26,6 +26,7 @@ from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
+from rockeom.simulation.ties import Samples as OfTie, TieRecord, tie_record
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
@@ -359,6 +360,21 @@ class Response:
     def places(self) -> Places:
         """Positions, rotations, velocities and accelerations of bodies and feet at the samples."""
         return Places(self.structure, self._ground, self._rows)
+
+    @cached_property
+    def ties(self) -> dict[str, TieRecord]:
+        """Largest force and elongation, dissipation and break of each `Tie`, by its name."""
+        module = self.structure.module
+        names = getattr(module, "TIES", ())
+        wanted = [f"{name}_{what}" for name in names for what in ("force", "elongation")]
+        largest = self.extremes_of(wanted) if names else {}
+        return {
+            name: tie_record(
+                module, name, self.events.columns, OfTie(self.t, self[f"{name}_force"]), largest,
+                float(self[f"{name}_loss"][-1]),
+            )
+            for name in names
+        }  # fmt: skip
 
     @cached_property
     def support(self) -> Support:

@@ -106,6 +106,13 @@ def test_a_tie_breaks_where_its_closed_form_has_it(name):
     assert balance.breaks == run["tie_break"][-1] == pytest.approx(held + stored, rel=1e-10)
     assert run["tie_loss"][-1] == pytest.approx(yielded, rel=1e-9, abs=1e-12)
     assert balance.error < 1e-10
+    record = run.ties["tie"]
+    assert record.broke_at == run.events.times[-1]
+    assert record.largest_force == pytest.approx(run["tie_force"].max(), rel=1e-9)
+    assert (record.tightenings, record.snatch_force > 0.0) == (
+        (1, True) if "slack" in name else (0, False)
+    )
+    assert record.dissipated == run["tie_loss"][-1]
 
 
 @pytest.mark.parametrize("until", [0.03, 0.5])
