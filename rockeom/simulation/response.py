@@ -441,6 +441,7 @@ class Response:
             lines.append(reserve.describe(unit))
         lines += self._impact_law()
         lines += self._uplift()
+        lines += [record.describe(name) for name, record in self.ties.items()]
         if (rest := self.events.rest_time) is not None:
             lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])

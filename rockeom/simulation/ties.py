@@ -40,6 +40,13 @@ class TieRecord(NamedTuple):
     tightenings: int
     snatch_force: float
 
+    def describe(self, name: str) -> str:
+        """Sentence on the tie."""
+        drawn = f"by up to {1e3 * self.largest_elongation:.3g} mm, {self.largest_force:.4g} N"
+        if self.broke_at is None:
+            return f"{name} held: it was drawn {drawn}."
+        return f"{name} broke at {self.broke_at:.4g} s, at {self.largest_force:.4g} N."
+
 
 class Samples(NamedTuple):
     """Times (n,) [s] and the force of a tie there (n,) [N]."""

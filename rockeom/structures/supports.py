@@ -87,6 +87,8 @@ class SupportedStructure(StructureWithFields):
     """A structure that stands on any support."""
 
     not_numbers = frozenset({"support", "restraint"})
+    may_be_held: ClassVar[bool] = True
+    """Whether restraints are a part of its derivation."""
     support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
     restraint: Any = ()
 
@@ -95,6 +97,11 @@ class SupportedStructure(StructureWithFields):
         mass, inertia = self.of_base()
         check_support(what, self.support, mass, inertia)
         object.__setattr__(self, "restraint", checked(what, self.restraint))
+        if self.restraint and not self.may_be_held:
+            raise InputError("restraint").says(
+                f"{what} takes no restraint: hold a LumpedMassStructure, a FlexibleStructure or a "
+                "ShearFrame, or declare a model with Tie elements"
+            )
         if self.restraint and getattr(self.support, "kind", "") != "sliding":
             raise InputError("restraint").says(
                 f"a restrained {what} stands on feet that may slide: give "

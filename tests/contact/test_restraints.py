@@ -88,6 +88,7 @@ def test_a_strap_breaks_and_leaves_the_statue_to_itself():
     own = turned(lambda _: 0.0, 0.3 - at, theta, speed)
     assert [run.final["theta"], run.final["theta_dot"]] == pytest.approx(own, rel=1e-8)
     assert run.energy_balance().breaks == pytest.approx(limit**2 / 2 / STRAP["stiffness"])
+    assert f"strap broke at {at:.4g} s, at 1500 N." in run.summary()
 
 
 def test_an_anchor_holds_the_foot_that_rises():
@@ -117,6 +118,15 @@ def test_a_restrained_structure_comes_back_from_a_file(tmp_path):
 
 REFUSED = {
     "pinned feet": (rk.LumpedMassStructure, {**SIZE, "restraint": rk.Strap(**STRAP)}, "Sliding("),
+    "stacked blocks": (
+        rk.StackedBlocks,
+        {
+            "lower_half_width": 0.3, "lower_half_height": 0.3, "upper_half_width": 0.2,
+            "upper_half_height": 0.6, "lower_mass": 9.0, "upper_mass": 9.0, "support": HELD,
+            "restraint": rk.Strap(**STRAP),
+        },
+        "StackedBlocks takes no restraint",
+    ),
     "no restraint": (
         rk.LumpedMassStructure, {**SIZE, "support": HELD, "restraint": [1]}, "give rk.Anchor(...)",
     ),
