@@ -30,6 +30,7 @@ _NAMES_OF = {
     "rockeom.numbers.breaks": ("Break",),
     "rockeom.structures.restraints": ("Anchor", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.modelling.held_block": ("HeldBlock",),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
@@ -133,6 +134,7 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
+    from rockeom.modelling.held_block import HeldBlock as HeldBlock
     from rockeom.modelling.named import structure as structure
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (

@@ -17,6 +17,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_contact_law, check_values
+from rockeom.structures.restraints import parameters_of
 from rockeom.structures.supports import Support, SupportedStructure
 
 
@@ -499,9 +500,7 @@ class ShearFrame(SupportedStructure):
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             values[name] = getattr(self, name)
         support = self.support.parameters() if self.support else {}
-        for one in self.restraint:
-            support |= one.parameters()
-        return values | support
+        return values | support | parameters_of(self.restraint)
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

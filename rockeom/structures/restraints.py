@@ -1,5 +1,7 @@
 """Restraints: straps and anchors that hold a structure whose feet may slide, until they break."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -122,6 +124,27 @@ class Anchor(Restraint):
         object.__setattr__(self, "name", self.name or self.place)
         super().__post_init__()
 
+    @classmethod
+    def pair(cls, **values: Any) -> tuple[Anchor, Anchor]:
+        """An anchor at each foot, such as putty under both.
+
+        Parameters
+        ----------
+        **values : object
+            Arguments of both, but for the foot and the name.
+
+        Returns
+        -------
+        tuple of Anchor
+            Left and right anchor.
+
+        Raises
+        ------
+        InputError
+            As the constructor.
+        """
+        return cls(foot="left", **values), cls(foot="right", **values)
+
     @property
     def place(self) -> str:
         return f"anchor_{self.foot}"
@@ -192,7 +215,7 @@ RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break)}
 
 def checked(what: str, restraint: Any) -> tuple[Restraint, ...]:
     """The restraints of a structure; raises for others, and for two of one name."""
-    every = (restraint,) if isinstance(restraint, Restraint) else tuple(restraint)
+    every = tuple(restraint) if isinstance(restraint, list | tuple) else (restraint,)
     for one in every:
         if not isinstance(one, Restraint):
             raise InputTypeError("restraint", one, what).give("rk.Anchor(...) or rk.Strap(...)")
@@ -200,3 +223,14 @@ def checked(what: str, restraint: Any) -> tuple[Restraint, ...]:
     if len(set(names)) < len(names):
         raise InputError("restraint", names, what).give("a name= to each, which no other has")
     return every
+
+
+def kinds_of(restraint: Sequence[Restraint]) -> dict[str, Any]:
+    """The argument of a derivation that stands for restraints; none for none."""
+    kinds = tuple(one.of_derivation for one in restraint)
+    return {"restraint": kinds} if kinds else {}
+
+
+def parameters_of(restraint: Sequence[Restraint]) -> dict[str, float]:
+    """Values of all restraints by the names that they have in the generated module."""
+    return {name: value for one in restraint for name, value in one.parameters().items()}

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.structures.declared import StructureWithFields
-from rockeom.structures.restraints import checked
+from rockeom.structures.restraints import checked, kinds_of, parameters_of
 
 
 class Support:
@@ -123,28 +123,21 @@ class SupportedStructure(StructureWithFields):
 
     @property
     def derivation(self) -> dict[str, Any]:
-        return (dict(self.support.derivation) if self.support else {}) | self._restraints
-
-    @property
-    def _restraints(self) -> dict[str, Any]:
-        """The argument of a derivation that stands for the restraints."""
-        kinds = tuple(one.of_derivation for one in self.restraint)
-        return {"restraint": kinds} if kinds else {}
+        return (dict(self.support.derivation) if self.support else {}) | kinds_of(self.restraint)
 
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module, of this support."""
         if not self.support:
             return super().module
-        return self.support.module(self.model, **self._restraints)
+        return self.support.module(self.model, **kinds_of(self.restraint))
 
     def parameters(self) -> dict[str, float]:
         own = set(self.defaults())
         support = self.support.parameters() if self.support else {}
-        for one in self.restraint:
-            support |= one.parameters()
         names = (n for n in self.module.PARAMETERS if n in own)
-        return {**{name: getattr(self, name) for name in names}, **support}
+        own_values = {name: getattr(self, name) for name in names}
+        return own_values | support | parameters_of(self.restraint)
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         if path[0] == "support" and len(path) == 2:

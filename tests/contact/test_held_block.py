@@ -1,0 +1,95 @@
+"""Blocks held by putty, with rounded corners or an eccentric centroid."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import rockeom as rk
+from tests.refusals import told
+
+SIZE = {"width": 0.5, "height": 1.8, "mass": 300.0, "friction": 3.0}
+PULSE = rk.GroundMotion.single_sine(amplitude=3.0, period=0.8, duration=2.0)
+FINE = rk.SolverOptions(rtol=1e-11, atol=1e-12)
+
+
+def test_a_block_that_nothing_holds_is_the_sliding_block():
+    held = rk.simulate(rk.HeldBlock(**SIZE), PULSE)
+    free = rk.simulate(
+        rk.SlidingBlock(
+            half_width=0.25, half_height=0.9, mass=300.0, friction=3.0, restitution=0.0
+        ),
+        PULSE,
+    )
+    for name, value in free.final.items():
+        assert held.final[name] == pytest.approx(value, rel=1e-8, abs=1e-9)
+
+
+@pytest.mark.parametrize("theta", [0.03, -0.03])
+def test_a_rounded_corner_rolls(theta):
+    """One angle, by the kinetic and potential energy of a rolling arc, differentiated by steps."""
+    r, b, h, mass = 0.08, 0.25, 0.9, 300.0
+    inertia = mass * (0.5**2 + 1.8**2) / 12
+    side = np.sign(theta)
+
+    def centroid(
+        angle,
+    ):  # the arc's centre moves as it rolls; the centroid turns clockwise about it
+        across, up = -side * (b - r), h - r
+        return np.array([
+            r * angle + across * np.cos(angle) + up * np.sin(angle),
+            r - across * np.sin(angle) + up * np.cos(angle),
+        ])  # fmt: skip
+
+    def derivatives(angle, step=1e-4):
+        before, at, after = (centroid(angle + k * step) for k in (-1, 0, 1))
+        return (after - before) / (2 * step), (after - 2 * at + before) / step**2
+
+    def rates(_, state):
+        first, second = derivatives(state[0])
+        effective = mass * first @ first + inertia
+        forces = -mass * first @ second * state[1] ** 2 - mass * 9.81 * first[1]
+        return [state[1], forces / effective]
+
+    start, until = {"theta": theta, "theta_dot": side * 0.6}, 0.1
+    own = solve_ivp(rates, (0.0, until), [*start.values()], rtol=1e-10, atol=1e-12).y[:, -1]
+    block = rk.HeldBlock(**SIZE, corner_radius=r)
+    run = rk.simulate(block, rk.GroundMotion.none(until), initial=start, options=FINE)
+    assert len(run.events) == 0
+    assert [run.final["theta"], run.final["theta_dot"]] == pytest.approx(own, rel=1e-6)
+
+
+@pytest.mark.parametrize(("factor", "lifts"), [(0.999, False), (1.001, True)])
+def test_an_eccentric_block_lifts_where_its_lever_arm_ends(factor, lifts):
+    block = rk.HeldBlock(**SIZE, centroid_offset=0.05)
+    # the ground accelerates to the left: the block leans to the right, about the nearer foot
+    threshold = 9.81 * (0.25 - 0.05) / 0.9
+    push = rk.GroundMotion.constant(acceleration=-factor * threshold, duration=0.2)
+    run = rk.simulate(block, push)
+    assert (abs(run["theta"]).max() > 0.0) == lifts
+
+
+def test_putty_holds_until_its_force_is_reached():
+    def under(force):
+        putty = rk.Anchor.pair(stiffness=1e6, breaks_at=rk.Break(force=force))
+        return rk.simulate(rk.HeldBlock(**SIZE, restraint=putty), PULSE)
+
+    free = rk.simulate(rk.HeldBlock(**SIZE), PULSE)
+    weak, strong = under(100.0), under(300.0)
+    assert [*weak.ties] == ["anchor_left", "anchor_right"]
+    assert min(record.broke_at for record in weak.ties.values()) > free.events.times[0]
+    assert [record.largest_force for record in weak.ties.values()] == pytest.approx([100.0] * 2)
+    assert [record.broke_at for record in strong.ties.values()] == [None, None]
+    assert abs(strong["theta"]).max() < abs(free["theta"]).max()
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"corner_radius": 0.25}, "give less than half of the width, 0.25 m"),
+        ({"centroid_offset": 0.25}, "give a place between the feet"),
+        ({"restraint": 3}, "restraint is 3"),
+        ({"restitution": 1.5}, "restitution"),
+    ],
+)
+def test_a_block_that_cannot_be_is_refused(values, words):
+    assert words in told(rk.HeldBlock, **(SIZE | values))
