@@ -28,7 +28,7 @@ _NAMES_OF = {
     "rockeom.browser.lesson": ("Question",),
     "rockeom.browser.page": ("Explorer", "explorer"),
     "rockeom.numbers.breaks": ("Break",),
-    "rockeom.structures.restraints": ("Anchor", "Strap"),
+    "rockeom.structures.restraints": ("Anchor", "Push", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.modelling.held_block": ("HeldBlock",),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
@@ -166,7 +166,7 @@ if TYPE_CHECKING:
         VelocityRatio as VelocityRatio,
     )
     from rockeom.structures.modal import rayleigh_damping as rayleigh_damping
-    from rockeom.structures.restraints import Anchor as Anchor, Strap as Strap
+    from rockeom.structures.restraints import Anchor as Anchor, Push as Push, Strap as Strap
     from rockeom.sweeps.dataset import Sweep as Sweep
     from rockeom.sweeps.options import SweepOptions as SweepOptions
     from rockeom.sweeps.run import simulate_many as simulate_many

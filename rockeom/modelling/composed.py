@@ -406,7 +406,7 @@ class ShearFrame(SupportedStructure):
         "dampings": "damping",
         "inertias": "inertia",
     }
-    not_numbers = frozenset({*of_each, "support", "restraint"})
+    not_numbers = frozenset({*of_each, "support", "restraint", "loads"})
     masses: Sequence[float]
     heights: Sequence[float]
     stiffnesses: Sequence[float]
@@ -500,7 +500,7 @@ class ShearFrame(SupportedStructure):
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             values[name] = getattr(self, name)
         support = self.support.parameters() if self.support else {}
-        return values | support | parameters_of(self.restraint)
+        return values | support | parameters_of(*self.restraint, *self.loads)
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

@@ -11,7 +11,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
 
 
 class HeldBlock(StructureWithFields):
@@ -42,6 +42,8 @@ class HeldBlock(StructureWithFields):
         Radius of the lower corners, which roll [m].
     restraint : sequence of Strap or Anchor, optional
         Restraints.
+    loads : sequence of Push, optional
+        Forces of time.
     contact_law : str, optional
         Impact law of feet that touch, as of `Sliding`.
     gravity : float, optional
@@ -71,7 +73,7 @@ class HeldBlock(StructureWithFields):
     model: ClassVar[str] = "held_block"
     may_vanish = frozenset({"friction", "restitution", "corner_radius", "centroid_offset"})
     may_be_negative = frozenset({"centroid_offset"})
-    not_numbers = frozenset({"restraint", "contact_law"})
+    not_numbers = frozenset({"restraint", "loads", "contact_law"})
     width: float
     height: float
     mass: float
@@ -82,11 +84,13 @@ class HeldBlock(StructureWithFields):
     inertia: float | None = None
     corner_radius: float = 0.0
     restraint: Any = ()
+    loads: Any = ()
     contact_law: str = "newton"
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "restraint", checked("HeldBlock", self.restraint))
+        for name, kind in {"restraint": Restraint, "loads": Push}.items():
+            object.__setattr__(self, name, checked("HeldBlock", name, getattr(self, name), kind))
         check_contact_law("HeldBlock", self.restitution, self.contact_law)
         if not self.corner_radius < self.width / 2:
             raise InputError("corner_radius", self.corner_radius, "HeldBlock").give(
@@ -100,7 +104,7 @@ class HeldBlock(StructureWithFields):
     @property
     def derivation(self) -> dict[str, Any]:
         return (
-            kinds_of(self.restraint)
+            kinds_of(*self.restraint, *self.loads)
             | ({"rounded": True} if self.corner_radius else {})
             | ({} if self.contact_law == "newton" else {"law": self.contact_law})
         )
@@ -125,4 +129,4 @@ class HeldBlock(StructureWithFields):
             "restitution": self.restitution,
         }
         rolling = {"corner_radius": self.corner_radius} if self.corner_radius else {}
-        return values | rolling | parameters_of(self.restraint)
+        return values | rolling | parameters_of(*self.restraint, *self.loads)

@@ -1,4 +1,4 @@
-"""Restraints: straps and anchors that hold a structure whose feet may slide, until they break."""
+"""Straps and anchors that hold a structure on sliding feet until they break, and pushes of time."""
 
 from __future__ import annotations
 
@@ -37,8 +37,7 @@ class Restraint:
         if number("strength", self.strength, what) != math.inf:
             check_values(what, {"strength": self.strength})
         object.__setattr__(self, "name", self.name or self.kind)
-        if not (isinstance(self.name, str) and self.name.isidentifier()):
-            raise InputError("name", self.name, what).give("a word of letters, digits and _")
+        _check_name(what, self.name)
         if not isinstance(self.breaks_at, Break | None):
             raise InputTypeError("breaks_at", self.breaks_at, what).give(
                 "rk.Break(force=...), rk.Break(extension=...) or rk.Break(energy=...)"
@@ -196,11 +195,7 @@ class Strap(Restraint):
     def __post_init__(self) -> None:
         super().__post_init__()
         for name in ("at", "to"):
-            point = getattr(self, name)
-            if not (isinstance(point, Sequence) and len(point) == 2):
-                raise InputTypeError(name, point, "Strap").give("two numbers, x and y [m]")
-            pair = tuple(number(name, value, "Strap") for value in point)
-            object.__setattr__(self, name, pair)
+            object.__setattr__(self, name, _point(name, getattr(self, name), "Strap"))
         if self.at == self.to:
             raise InputError("to", self.to, "Strap").give("another place than that of at")
 
@@ -209,28 +204,111 @@ class Strap(Restraint):
         return {"x": x, "y": y, "to_x": to_x, "to_y": to_y}
 
 
-RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break)}
+@explained.record()
+@dataclass(frozen=True, kw_only=True)
+class Push:
+    """Horizontal force of time on a point: a gust, a blast, the blow of a vehicle.
+
+    Parameters
+    ----------
+    at : tuple of (float, float)
+        Point of the structure, from the middle of its base when it stands, x to the right [m].
+    force : float
+        Largest force, positive to the right [N].
+    duration : float
+        Duration [s].
+    start : float, optional
+        Time at which it begins [s].
+    shape : str, optional
+        "half sine", "constant", "falling" as of a blast, or "gust", 1 - cos.
+    name : str, optional
+        Name of its quantities, "push" if not given.
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, and another shape.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> blast = rk.Push(at=(0.0, 1.0), force=5e3, duration=0.05, shape="falling")  # m, N, s
+    """
+
+    kind: ClassVar[str] = "push"
+
+    at: tuple[float, float]
+    force: float
+    duration: float
+    start: float = 0.0
+    shape: str = "half sine"
+    name: str = "push"
+
+    def __post_init__(self) -> None:
+        check_values("Push", {"duration": self.duration})
+        either = frozenset({"start", "force"})
+        check_values("Push", {"start": self.start, "force": self.force}, either, either)
+        require_word("shape", self.shape, ("half sine", "constant", "falling", "gust"), "Push")
+        object.__setattr__(self, "at", _point("at", self.at, "Push"))
+        _check_name("Push", self.name)
+
+    @property
+    def of_derivation(self) -> tuple[str, str, bool, str]:
+        """Its shape and its name, as the derivation has them."""
+        return f"push {self.shape}", self.name, False, ""
+
+    def parameters(self) -> dict[str, float]:
+        """Values by the names that they have in the generated module."""
+        x, y = self.at
+        values = {
+            "x": x,
+            "y": y,
+            "size": self.force,
+            "start": self.start,
+            "duration": self.duration,
+        }
+        return {f"{self.name}_{name}": value for name, value in values.items()}
+
+
+def _check_name(what: str, name: str) -> None:
+    if not (isinstance(name, str) and name.isidentifier()):
+        raise InputError("name", name, what).give("a word of letters, digits and _")
+
+
+def _point(name: str, point: Any, what: str) -> tuple[float, float]:
+    if not (isinstance(point, Sequence) and len(point) == 2):
+        raise InputTypeError(name, point, what).give("two numbers, x and y [m]")
+    x, y = (number(name, value, what) for value in point)
+    return x, y
+
+
+RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break, Push)}
 """Classes of restraints, and of what they are made of, by their names in files."""
 
 
-def checked(what: str, restraint: Any) -> tuple[Restraint, ...]:
-    """The restraints of a structure; raises for others, and for two of one name."""
-    every = tuple(restraint) if isinstance(restraint, list | tuple) else (restraint,)
+Attached = Restraint | Push
+"""What acts on a structure on sliding feet besides the ground."""
+
+
+def checked(what: str, name: str, given: Any, kind: type) -> tuple[Any, ...]:
+    """The restraints or the loads of a structure; raises for others, and for two of one name."""
+    every = tuple(given) if isinstance(given, list | tuple) else (given,)
+    remedy = "rk.Anchor(...) or rk.Strap(...)" if kind is Restraint else "rk.Push(...)"
     for one in every:
-        if not isinstance(one, Restraint):
-            raise InputTypeError("restraint", one, what).give("rk.Anchor(...) or rk.Strap(...)")
+        if not isinstance(one, kind):
+            raise InputTypeError(name, one, what).give(remedy)
     names = [one.name for one in every]
     if len(set(names)) < len(names):
-        raise InputError("restraint", names, what).give("a name= to each, which no other has")
+        raise InputError(name, names, what).give("a name= to each, which no other has")
     return every
 
 
-def kinds_of(restraint: Sequence[Restraint]) -> dict[str, Any]:
-    """The argument of a derivation that stands for restraints; none for none."""
-    kinds = tuple(one.of_derivation for one in restraint)
-    return {"restraint": kinds} if kinds else {}
+def kinds_of(*attached: Attached) -> dict[str, Any]:
+    """The argument of a derivation that stands for restraints and loads; none for none."""
+    kinds = tuple(one.of_derivation for one in attached)
+    return {"attached": kinds} if kinds else {}
 
 
-def parameters_of(restraint: Sequence[Restraint]) -> dict[str, float]:
-    """Values of all restraints by the names that they have in the generated module."""
-    return {name: value for one in restraint for name, value in one.parameters().items()}
+def parameters_of(*attached: Attached) -> dict[str, float]:
+    """Values of all of them by the names that they have in the generated module."""
+    return {name: value for one in attached for name, value in one.parameters().items()}

@@ -6,7 +6,7 @@ from rockeom.numbers import explained
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
-from rockeom.symbolic.elements import Break, Damper, Spring, Tie, Unilateral, Yielding
+from rockeom.symbolic.elements import Break, Damper, Pulse, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
     Body,
@@ -56,6 +56,7 @@ __all__ = [
     "NamedFunction",
     "Parameter",
     "Pinned",
+    "Pulse",
     "Rigid",
     "RockingModel",
     "Spring",

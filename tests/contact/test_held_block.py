@@ -93,3 +93,33 @@ def test_putty_holds_until_its_force_is_reached():
 )
 def test_a_block_that_cannot_be_is_refused(values, words):
     assert words in told(rk.HeldBlock, **(SIZE | values))
+
+
+PUSHES = {"constant": 1.0, "half sine": 2 / np.pi, "falling": 0.5, "gust": 0.5}
+
+
+@pytest.mark.parametrize("shape", PUSHES)
+def test_a_push_of_time_has_its_impulse(shape):
+    """The block slides without friction: its speed is the impulse over its mass."""
+    push = rk.Push(at=(0.0, 0.9), force=-90.0, duration=0.3, start=0.2, shape=shape)
+    block = rk.HeldBlock(**(SIZE | {"friction": 0.0}), loads=push)
+    run = rk.simulate(block, rk.GroundMotion.none(1.0), options=FINE)
+    switches = [event.time for event in run.events if event.contact == "push"]
+    assert switches == pytest.approx([0.2, 0.5], abs=1e-8)
+    assert run.final["x_dot"] == pytest.approx(-90.0 * 0.3 * PUSHES[shape] / 300.0, rel=1e-9)
+    assert run.energy_balance().error < 1e-10
+
+
+def test_a_push_needs_friction_at_the_feet():
+    push = rk.Push(at=(0.0, 0.3), force=500.0, duration=0.4, shape="falling")
+    run = rk.simulate(rk.HeldBlock(**SIZE, loads=push), rk.GroundMotion.none(1.0))
+    assert run.support.friction_demand == pytest.approx(500.0 / (300.0 * 9.81), rel=1e-6)
+    again = rk.simulate(run.structure, rk.GroundMotion.none(0.1), initial=run.final)
+    assert again["push_force"].max() == 0.0  # its time goes on
+
+
+def test_a_strap_takes_from_the_friction_at_the_feet():
+    strap = rk.Strap(at=(0.25, 1.6), to=(0.6, 1.6), stiffness=1e5, pretension=100.0)
+    block = rk.HeldBlock(**SIZE, restraint=strap)
+    run = rk.simulate(block, rk.GroundMotion.none(0.1))
+    assert run.support.friction_demand == pytest.approx(100.0 / (300.0 * 9.81), rel=1e-6)

@@ -8,13 +8,14 @@ change none of its constraints. A new element is a file here, and a line in the 
 
 from rockeom.numbers.breaks import Break
 from rockeom.symbolic.elements.damper import Damper
+from rockeom.symbolic.elements.pulse import Pulse
 from rockeom.symbolic.elements.spring import Spring
 from rockeom.symbolic.elements.states import Ending, switch_of
 from rockeom.symbolic.elements.tie import Tie
 from rockeom.symbolic.elements.unilateral import Unilateral
 from rockeom.symbolic.elements.yielding import Yielding
 
-Switching = Unilateral | Yielding | Tie | Damper
+Switching = Unilateral | Yielding | Tie | Damper | Pulse
 Element = Spring | Switching
 
 __all__ = [
@@ -22,6 +23,7 @@ __all__ = [
     "Damper",
     "Element",
     "Ending",
+    "Pulse",
     "Spring",
     "Switching",
     "Tie",

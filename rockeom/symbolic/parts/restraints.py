@@ -1,11 +1,11 @@
-"""Restraints of a base that slides: anchors at its feet, straps to fixed points."""
+"""What acts on a base that slides: anchors at its feet, straps to fixed points, pushes of time."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
 
 import sympy as sp
 
-from rockeom.symbolic.elements import Break, Tie
+from rockeom.symbolic.elements import Break, Pulse, Tie
 from rockeom.symbolic.model import Parameter
 from rockeom.symbolic.parts.superstructures import HALF_WIDTH, Place
 
@@ -19,12 +19,17 @@ _MEANINGS = {
     "y": ("y", "m", "height of its end on the structure"),
     "to_x": ("X", "m", "place of its fixed end, to the right of the base's middle"),
     "to_y": ("Y", "m", "height of its fixed end"),
+    "size": ("F", "N", "largest force, to the right"),
+    "start": ("t", "s", "time at which it begins"),
+    "duration": ("T", "s", "duration"),
 }
+PUSH = "push "
+"""Beginning of the place of a push; its shape follows."""
 _LIMIT_UNITS = {"force": "N", "extension": "m", "energy": "J"}
 
 
 class Kind(NamedTuple):
-    """What a derivation knows of a restraint: its place, its name, and what it can do.
+    """What a derivation knows of a tie or a push: its place, its name, and what it can do.
 
     breaks : the limit at which it breaks, or empty.
     """
@@ -35,33 +40,38 @@ class Kind(NamedTuple):
     breaks: str
 
 
-class Restraints(NamedTuple):
-    """Parameters and elements of restraints."""
+class Attachments(NamedTuple):
+    """Parameters and elements of ties and pushes."""
 
     parameters: tuple[Parameter, ...]
-    elements: tuple[Tie, ...]
+    elements: tuple[Tie | Pulse, ...]
 
 
-def restrained(
+def attachments(
     kinds: Iterable[tuple[str, str, bool, str]], place: Place, standing: Place
-) -> Restraints:
-    """Ties of these kinds, see `Kind`.
+) -> Attachments:
+    """Ties and pushes of these kinds, see `Kind`.
 
     place, standing : of points of the base as it moves, and as it stands.
     """
     parameters: list[Parameter] = []
-    elements: list[Tie] = []
+    elements: list[Tie | Pulse] = []
     for kind in (Kind(*fields) for fields in kinds):
         own = _parameters(kind)
         parameters += own.values()
-        elements.append(_tie(kind, {n: p.symbol for n, p in own.items()}, place, standing))
-    return Restraints(tuple(parameters), tuple(elements))
+        p = {name: parameter.symbol for name, parameter in own.items()}
+        of_push = kind.place.startswith(PUSH)
+        elements.append(_push(kind, p, place) if of_push else _tie(kind, p, place, standing))
+    return Attachments(tuple(parameters), tuple(elements))
 
 
 def _parameters(kind: Kind) -> dict[str, Parameter]:
-    names = ["stiffness", "slack_length", "pretension"]
-    names += ["strength", "hardening"] * kind.yields
-    names += ["x", "y", "to_x", "to_y"] * (kind.place == "strap")
+    if kind.place.startswith(PUSH):
+        names = ["x", "y", "size", "start", "duration"]
+    else:
+        names = ["stiffness", "slack_length", "pretension"]
+        names += ["strength", "hardening"] * kind.yields
+        names += ["x", "y", "to_x", "to_y"] * (kind.place == "strap")
     rows = {name: _MEANINGS[name] for name in names}
     if kind.breaks:
         rows["limit"] = "L", _LIMIT_UNITS[kind.breaks], f"{kind.breaks} at which it breaks"
@@ -75,11 +85,17 @@ def _parameters(kind: Kind) -> dict[str, Parameter]:
 
 
 def _symbol(letter: str, name: str) -> sp.Symbol:
-    if name in ("x", "y", "to_x", "to_y"):
+    if name in ("x", "y", "to_x", "to_y", "size"):
         return sp.Symbol(letter, real=True)
-    if name in ("slack_length", "pretension", "hardening"):
+    if name in ("slack_length", "pretension", "hardening", "start"):
         return sp.Symbol(letter, nonnegative=True)
     return sp.Symbol(letter, positive=True)
+
+
+def _push(kind: Kind, p: dict[str, sp.Symbol], place: Place) -> Pulse:
+    at = place((p["x"], p["y"]))
+    shape = kind.place.removeprefix(PUSH)
+    return Pulse(kind.name, at[0], p["size"], p["start"], p["duration"], shape, at)
 
 
 def _tie(kind: Kind, p: dict[str, sp.Symbol], place: Place, standing: Place) -> Tie:

@@ -16,7 +16,7 @@ from rockeom.symbolic.elements import Spring, Unilateral
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Foot, Parameter, coordinate, parameter, turned
-from rockeom.symbolic.parts.restraints import restrained
+from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import (
     GRAVITY,
     HALF_WIDTH,
@@ -119,14 +119,14 @@ def winkler(of: Superstructure, springs: int) -> Model:
 
 
 def sliding(
-    of: Superstructure, law: str = "newton", restraint: Sequence[tuple[str, str, bool, str]] = ()
+    of: Superstructure, law: str = "newton", attached: Sequence[tuple[str, str, bool, str]] = ()
 ) -> Model:
     """A model on feet that open, stick, slip and bounce on rigid ground.
 
-    law : as of `Rigid`. restraint : kinds of the ties that hold it.
+    law : as of `Rigid`. attached : kinds of its ties and pushes.
     """
     place = moved((X.position, Y.position))
-    ties = restrained(restraint, place, lambda point: point)
+    ties = attachments(attached, place, lambda point: point)
     bodies = of.about_the_middle(place, ROTATION.position)
     return Model(
         name=f"sliding_{of.name}",

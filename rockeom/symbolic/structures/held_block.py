@@ -9,7 +9,7 @@ import sympy as sp
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Rigid, feet
 from rockeom.symbolic.model import Body, Parameter, parameter, rectangle
-from rockeom.symbolic.parts.restraints import restrained
+from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y, moved
 from rockeom.symbolic.registry import family
@@ -23,18 +23,18 @@ RADIUS = parameter("r", "corner_radius", "m", "radius of the lower corners")
 
 @family
 def held_block(
-    law: str = "newton", restraint: Sequence[tuple[str, str, bool, str]] = (), rounded: bool = False
+    law: str = "newton", attached: Sequence[tuple[str, str, bool, str]] = (), rounded: bool = False
 ) -> Any:
     """A rigid block whose feet open, stick, slip and bounce, held by straps and anchors.
 
-    law : as of `Rigid`. restraint : kinds of the ties. rounded : whether its lower corners are
-    arcs, which roll: the lowest point of an arc is its radius below its centre, and slips as much
-    less than the centre moves as the block turns.
+    law : as of `Rigid`. attached : kinds of its ties and pushes. rounded : whether its lower
+    corners are arcs, which roll: the lowest point of an arc is its radius below its centre, and
+    slips as much less than the centre moves as the block turns.
     """
     theta, b = FREE_ROTATION.position, HALF_WIDTH.symbol
     place = moved((X.position, Y.position))
     r = RADIUS.symbol if rounded else sp.S.Zero
-    ties = restrained(restraint, place, lambda point: point)
+    ties = attachments(attached, place, lambda point: point)
     centroid = place((OFFSET.symbol, HEIGHT.symbol))
     block = Body(
         "block", MASS.symbol, centroid, INERTIA.symbol, theta, outline=rectangle(b, HEIGHT.symbol)
