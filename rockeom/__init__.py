@@ -31,6 +31,7 @@ _NAMES_OF = {
     "rockeom.structures.restraints": ("Anchor", "Push", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.modelling.held_block": ("HeldBlock",),
+    "rockeom.modelling.isolated": ("IsolatedBlocks",),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
@@ -135,6 +136,7 @@ if TYPE_CHECKING:
         Winkler as Winkler,
     )
     from rockeom.modelling.held_block import HeldBlock as HeldBlock
+    from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (

@@ -584,6 +584,11 @@ def _reactions(written: Written) -> Columns:
     return tuple(columns)
 
 
+def _ties(of: ContactDeclaration) -> tuple[str, ...]:
+    """The names of the ties."""
+    return tuple(e.name for e in of.switching if isinstance(e, Tie))
+
+
 def _shares(written: Written, pattern: Pattern, behind: int) -> list[str]:
     """Lines that put the forces of a pattern's points to their places."""
     of, indent = written.of, " " * 8
@@ -648,11 +653,8 @@ def _tables(written: Written) -> list[str]:
         f"N_POINTS = {len(of.contacts)}",
         f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
-        *(
-            [f"TIES = {ties!r}"]
-            if (ties := tuple(e.name for e in of.switching if isinstance(e, Tie)))
-            else []
-        ),
+        *([f"TIES = {ties!r}"] if (ties := _ties(of)) else []),
+        *(["HELD_ACROSS = True"] if of.is_held_across else []),
         *_impact_law(of),
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),

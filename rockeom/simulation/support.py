@@ -108,7 +108,7 @@ class Support:
         if self._extremes is None:
             return math.nan
         module = self._structure.module
-        if has_landings(module) and module.ELEMENTS:
+        if has_landings(module) and getattr(module, "HELD_ACROSS", False):
             return self._demand_of(module.POINTS)  # without what ties and pushes take
         horizontal, _, _, vertical = self._extremes
 
