@@ -30,6 +30,7 @@ _NAMES_OF = {
     "rockeom.numbers.breaks": ("Break",),
     "rockeom.structures.restraints": ("Anchor", "Push", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.modelling.facade": ("Facade",),
     "rockeom.modelling.held_block": ("HeldBlock",),
     "rockeom.modelling.isolated": ("IsolatedBlocks",),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
@@ -135,6 +136,7 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
+    from rockeom.modelling.facade import Facade as Facade
     from rockeom.modelling.held_block import HeldBlock as HeldBlock
     from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
