@@ -40,6 +40,13 @@ class HeldBlock(StructureWithFields):
         Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not given.
     corner_radius : float, optional
         Radius of the lower corners, which roll [m].
+    base_radius : float, optional
+        Radius of a round base, on which the block rolls [m]; None for a flat one.
+    wall_gap : float, optional
+        Gap between the block and a smooth wall on its right, which its upper corner may strike [m].
+        One that slides there upright would strike with its whole face, which is not modelled.
+    wall_restitution : float, optional
+        Ratio of the speeds after and before the corner strikes the wall, 0 to 1.
     restraint : sequence of Strap or Anchor, optional
         Restraints.
     loads : sequence of Push, optional
@@ -52,7 +59,8 @@ class HeldBlock(StructureWithFields):
     Raises
     ------
     InputError
-        For numbers out of their ranges, and for corners wider than the base.
+        For numbers out of their ranges, corners wider than the base, and rounded corners of a round
+        base.
 
     Notes
     -----
@@ -71,7 +79,9 @@ class HeldBlock(StructureWithFields):
     """
 
     model: ClassVar[str] = "held_block"
-    may_vanish = frozenset({"friction", "restitution", "corner_radius", "centroid_offset"})
+    may_vanish = frozenset(
+        {"friction", "restitution", "corner_radius", "centroid_offset", "wall_restitution"}
+    )
     may_be_negative = frozenset({"centroid_offset"})
     not_numbers = frozenset({"restraint", "loads", "contact_law"})
     width: float
@@ -83,6 +93,9 @@ class HeldBlock(StructureWithFields):
     centroid_offset: float = 0.0
     inertia: float | None = None
     corner_radius: float = 0.0
+    base_radius: float | None = None
+    wall_gap: float | None = None
+    wall_restitution: float = 0.0
     restraint: Any = ()
     loads: Any = ()
     contact_law: str = "newton"
@@ -92,6 +105,11 @@ class HeldBlock(StructureWithFields):
         for name, kind in {"restraint": Restraint, "loads": Push}.items():
             object.__setattr__(self, name, checked("HeldBlock", name, getattr(self, name), kind))
         check_contact_law("HeldBlock", self.restitution, self.contact_law)
+        check_contact_law("HeldBlock", self.wall_restitution, self.contact_law)
+        if self.base_radius is not None and self.corner_radius:
+            raise InputError("corner_radius", self.corner_radius, "HeldBlock").so(
+                "a round base has no corners: leave one of both out"
+            )
         if not self.corner_radius < self.width / 2:
             raise InputError("corner_radius", self.corner_radius, "HeldBlock").give(
                 f"less than half of the width, {self.width / 2:g} m"
@@ -105,9 +123,16 @@ class HeldBlock(StructureWithFields):
     def derivation(self) -> dict[str, Any]:
         return (
             kinds_of(*self.restraint, *self.loads)
-            | ({"rounded": True} if self.corner_radius else {})
+            | ({} if self._corners == "sharp" else {"corners": self._corners})
+            | ({} if self.wall_gap is None else {"wall": True})
             | ({} if self.contact_law == "newton" else {"law": self.contact_law})
         )
+
+    @property
+    def _corners(self) -> str:
+        if self.base_radius is not None:
+            return "round base"
+        return "rounded" if self.corner_radius else "sharp"
 
     @functools.cached_property
     def module(self) -> GeneratedModule:
@@ -128,5 +153,11 @@ class HeldBlock(StructureWithFields):
             "friction": self.friction,
             "restitution": self.restitution,
         }
-        rolling = {"corner_radius": self.corner_radius} if self.corner_radius else {}
-        return values | rolling | parameters_of(*self.restraint, *self.loads)
+        if self.corner_radius:
+            values["corner_radius"] = self.corner_radius
+        if self.base_radius is not None:
+            values["base_radius"] = self.base_radius
+        if self.wall_gap is not None:
+            values |= {"wall_gap": self.wall_gap, "wall_restitution": self.wall_restitution}
+            values["full_height"] = self.height
+        return values | parameters_of(*self.restraint, *self.loads)

@@ -87,6 +87,7 @@ def test_putty_holds_until_its_force_is_reached():
     [
         ({"corner_radius": 0.25}, "give less than half of the width, 0.25 m"),
         ({"centroid_offset": 0.25}, "give a place between the feet"),
+        ({"corner_radius": 0.02, "base_radius": 2.0}, "a round base has no corners"),
         ({"restraint": 3}, "restraint is 3"),
         ({"restitution": 1.5}, "restitution"),
     ],
@@ -123,3 +124,37 @@ def test_a_strap_takes_from_the_friction_at_the_feet():
     block = rk.HeldBlock(**SIZE, restraint=strap)
     run = rk.simulate(block, rk.GroundMotion.none(0.1))
     assert run.support.friction_demand == pytest.approx(100.0 / (300.0 * 9.81), rel=1e-6)
+
+
+def test_a_round_base_rolls_with_the_period_of_its_closed_form():
+    """Small rocking about upright: T = 2 pi sqrt((I + m h^2)/(m g (R - h)))."""
+    h, radius = 0.4, 1.0
+    block = rk.HeldBlock(**(SIZE | {"height": 2 * h}), base_radius=radius)
+    inertia = block.parameters()["inertia"] + 300.0 * h**2
+    period = 2 * np.pi * np.sqrt(inertia / (300.0 * 9.81 * (radius - h)))
+    start = {"theta": 1e-4}
+    run = rk.simulate(block, rk.GroundMotion.none(period), initial=start, options=FINE)
+    assert run.final["theta"] == pytest.approx(1e-4, rel=1e-6)
+    assert run.at(period / 2)["theta"] == pytest.approx(-1e-4, rel=1e-6)
+
+
+def test_a_block_that_leans_strikes_the_wall_with_its_upper_corner():
+    block = rk.HeldBlock(**SIZE, wall_gap=0.1, wall_restitution=0.3)
+    start = {"theta": 0.02, "theta_dot": 0.8}
+    run = rk.simulate(block, rk.GroundMotion.none(0.3), initial=start, options=FINE)
+    first = next(event for event in run.events if event.kind == "landing")
+    assert first.contact == "wall"
+    theta, x = first.before["theta"], first.before["x"]
+    y = first.before["y"]
+    assert x + 0.25 * np.cos(theta) + 1.8 * np.sin(theta) == pytest.approx(0.35, abs=1e-9)
+    assert y == pytest.approx(0.25 * np.sin(theta), abs=1e-9)
+    # the ground cannot pull: the foot leaves it, and the block is struck as a free body
+    mass, inertia = (run.structure.parameters()[name] for name in ("mass", "inertia"))
+    arm = 1.8 * np.cos(theta) - 0.25 * np.sin(theta)
+    arm -= 0.9 * np.cos(theta)  # of the corner above the centroid
+    centroid = first.before["x_dot"] + 0.9 * np.cos(theta) * first.before["theta_dot"]
+    corner = centroid + arm * first.before["theta_dot"]
+    impulse = 1.3 * corner / (1 / mass + arm**2 / inertia)
+    own = first.before["theta_dot"] - impulse * arm / inertia
+    assert first.after["theta_dot"] == pytest.approx(own, rel=1e-9)
+    assert first.mode_after == "flight"
