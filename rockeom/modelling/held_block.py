@@ -110,6 +110,10 @@ class HeldBlock(StructureWithFields):
             raise InputError("corner_radius", self.corner_radius, "HeldBlock").so(
                 "a round base has no corners: leave one of both out"
             )
+        if self.base_radius is not None and not self.base_radius >= self.width / 2:
+            raise InputError("base_radius", self.base_radius, "HeldBlock").give(
+                f"half of the width, {self.width / 2:g} m, or more"
+            )
         if not self.corner_radius < self.width / 2:
             raise InputError("corner_radius", self.corner_radius, "HeldBlock").give(
                 f"less than half of the width, {self.width / 2:g} m"
@@ -148,6 +152,7 @@ class HeldBlock(StructureWithFields):
             if self.centroid_height is None
             else self.centroid_height,
             "centroid_offset": self.centroid_offset,
+            "full_height": self.height,
             "inertia": inertia if self.inertia is None else self.inertia,
             "gravity": self.gravity,
             "friction": self.friction,
@@ -159,5 +164,4 @@ class HeldBlock(StructureWithFields):
             values["base_radius"] = self.base_radius
         if self.wall_gap is not None:
             values |= {"wall_gap": self.wall_gap, "wall_restitution": self.wall_restitution}
-            values["full_height"] = self.height
         return values | parameters_of(*self.restraint, *self.loads)

@@ -9,7 +9,7 @@ import sympy as sp
 from rockeom.numbers.checks import require_word
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Rigid, feet
-from rockeom.symbolic.model import Body, Parameter, parameter, rectangle
+from rockeom.symbolic.model import Body, Outline, Parameter, parameter
 from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import GRAVITY, Place
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y, moved
@@ -46,12 +46,13 @@ def held_block(
     place = moved((X.position, Y.position))
     ties = attachments(attached, place, lambda point: point)
     centroid = place((OFFSET.symbol, HEIGHT.symbol))
-    outline = rectangle(HALF_WIDTH.symbol, HEIGHT.symbol)
     block = Body(
-        "block", MASS.symbol, centroid, INERTIA.symbol, FREE_ROTATION.position, outline=outline
-    )
-    size = (MASS, HALF_WIDTH, replace(HEIGHT, name="centroid_height"), OFFSET, INERTIA, GRAVITY)
-    of_wall = (WALL_GAP, WALL_RESTITUTION, FULL_HEIGHT) if wall else ()
+        "block", MASS.symbol, centroid, INERTIA.symbol, FREE_ROTATION.position,
+        outline=_outline(corners),
+    )  # fmt: skip
+    height = replace(HEIGHT, name="centroid_height")
+    size = (MASS, HALF_WIDTH, height, OFFSET, FULL_HEIGHT, INERTIA, GRAVITY)
+    of_wall = (WALL_GAP, WALL_RESTITUTION) if wall else ()
     return Model(
         name="held_block",
         title="Rigid block that is held",
@@ -66,6 +67,18 @@ def held_block(
         elements=ties.elements,
         load_point=centroid,
     )  # fmt: skip
+
+
+def _outline(corners: str) -> Outline:
+    """Its corners about its centroid; a round base as a polygon."""
+    b, top = HALF_WIDTH.symbol, FULL_HEIGHT.symbol
+    sole = [(-b, sp.S.Zero), (b, sp.S.Zero)]
+    if corners == "round base":
+        radius = BASE_RADIUS.symbol
+        halves = [sp.asin(b / radius) * sp.Rational(k, 4) for k in range(-4, 5)]
+        sole = [(radius * sp.sin(a), radius * (1 - sp.cos(a))) for a in halves]
+    points = (*sole, (b, top), (-b, top))
+    return tuple((x - OFFSET.symbol, y - HEIGHT.symbol) for x, y in points)
 
 
 def _stands(corners: str, place: Place, law: str) -> tuple[Contact, ...]:

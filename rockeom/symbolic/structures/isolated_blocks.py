@@ -32,6 +32,7 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
     contacts: list[Contact] = []
     parameters: list[Parameter] = []
     coordinates = [BASE]
+    middle = sp.S.Zero  # of a block on the base: they stand apart by their width
     for i in range(1, blocks + 1):
         end = f"_{i}" if blocks > 1 else ""
         x = coordinate(f"x{_tex(end)}", f"x{end}", "m", "place of the block's base on the base")
@@ -44,9 +45,11 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
         parameters += [m, b, h, inertia]
         coordinates += [x, y, theta]
 
-        def place(point: Any, x: Any = x, y: Any = y, theta: Any = theta) -> Any:
+        middle += b.symbol
+
+        def place(point: Any, x: Any = x, y: Any = y, theta: Any = theta, at: Any = middle) -> Any:
             across, up = turned(point, (sp.S.Zero, sp.S.Zero), theta.position)
-            return BASE.position + x.position + across, y.position + up
+            return BASE.position + at + x.position + across, y.position + up
 
         bodies.append(
             Body(
@@ -58,10 +61,12 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
             corner = place((side * b.symbol, sp.S.Zero))
             contacts.append(
                 Contact(
-                    f"{foot}{end}", corner[1], corner[0] - BASE.position,
+                    f"{foot}{end}", corner[1], corner[0] - BASE.position - middle,
                     Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol, law=law),
+                    place=corner,
                 )
             )  # fmt: skip
+        middle += 3 * b.symbol
     return Model(
         name=f"isolated_blocks_{blocks}",
         title="Blocks on an isolated base",
