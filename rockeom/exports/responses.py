@@ -35,12 +35,13 @@ from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.restraints import RESTRAINTS
 from rockeom.version import VERSION
 
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
 
-_OTHERS = {**SUPPORTS, **{name: made for made, name in NAMES.items()}}
+_OTHERS = {**SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 

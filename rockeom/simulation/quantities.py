@@ -20,7 +20,7 @@ from rockeom.simulation.ground import Ground
 from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import RATIO, rotation_ratio
 from rockeom.simulation.steps import Evaluate, Rows, Steps
-from rockeom.simulation.works import Works, names_of_works
+from rockeom.simulation.works import Works, names_of_losses, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
@@ -55,7 +55,7 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
             for what, unit in OF_ELEMENT.items()
         ],
         BASE: [*_OF_BASE.items()],
-        WORKS: [(name, "J") for name in (*names_of_works(module), "impact_loss")],
+        WORKS: [(name, "J") for name in (*names_of_works(module), *names_of_losses(module))],
         OF_ANGLE: [(RATIO, "-")],
     }
     families_of = {}

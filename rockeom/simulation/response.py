@@ -28,6 +28,7 @@ from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
+from rockeom.simulation.ties import Samples as OfTie, TieRecord, tie_record
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
@@ -370,6 +371,21 @@ class Response:
         return Places(self.structure, self._ground, self._rows)
 
     @cached_property
+    def ties(self) -> dict[str, TieRecord]:
+        """Largest force and elongation, dissipation and break of each `Tie`, by its name."""
+        module = self.structure.module
+        names = getattr(module, "TIES", ())
+        wanted = [f"{name}_{what}" for name in names for what in ("force", "elongation")]
+        largest = self.extremes_of(wanted) if names else {}
+        return {
+            name: tie_record(
+                module, name, self.events.columns, OfTie(self.t, self[f"{name}_force"]), largest,
+                float(self[f"{name}_loss"][-1]),
+            )
+            for name in names
+        }  # fmt: skip
+
+    @cached_property
     def support(self) -> Support:
         """Forces of the ground, friction demands, sliding and loss of contact."""
         overturned = self.outcome is Outcome.OVERTURNED
@@ -437,6 +453,7 @@ class Response:
             lines.append(reserve.describe(unit))
         lines += self._impact_law()
         lines += self._uplift()
+        lines += [record.describe(name) for name, record in self.ties.items()]
         if (rest := self.events.rest_time) is not None:
             lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])
