@@ -27,6 +27,7 @@ from rockeom.motion.ground_motion import every_component
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
+from rockeom.motion.slope import slope_angle
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, not_negative, positive, require
@@ -50,6 +51,7 @@ def assess(
     level: float = 0.95,
     units_checked: bool = False,
     checks: Checks | None = None,
+    slope: float | str = 0.0,
 ) -> Assessment:
     """Assess whether a structure overturns: a verdict in words, with the numbers behind it and a
     page.
@@ -82,6 +84,9 @@ def assess(
     checks : callable, optional
         Function of the PGA [m/s2] that returns checks of codes, as those of `analysis.standards`;
         the answer and its page show them next to the motions of the records at each PGA.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg" or "1 in 20"; the records act
+        along it and normal to it, in both directions.
 
     Returns
     -------
@@ -134,9 +139,14 @@ def assess(
     require(0.0 < level < 1.0, "assess", "level", level, "it lies between 0 and 1, as 0.95")
     if friction is not None:
         not_negative("assess", friction=friction)
-    statics = statics_of(structure)
+    angle = float(slope_angle(slope))
+    if angle and friction is not None and friction <= abs(np.tan(angle)):
+        raise InputError("slope", slope, "assess").so(
+            f"it slides on it at a friction of {friction}"
+        )
+    statics = statics_of(structure, angle)
     motions = by_recording(_given(records))
-    both_ways = not is_symmetric(structure)
+    both_ways = angle != 0.0 or not is_symmetric(structure)
     conditions = Conditions(
         *_in_plane(motions, both_ways),
         _levels(pga, statics.uplift_acceleration),
@@ -145,6 +155,7 @@ def assess(
         both_ways,
         tuple(one.name for one in motions if isinstance(one, GroundMotion)),
         pga,
+        angle,
     )
     of_codes = checks_at(checks, conditions.levels)
     recorded = as_recorded(structure, conditions)

@@ -48,7 +48,7 @@ def remedies(
     for change, changed in _changed(structure):
         after = scaled(changed, conditions, level)
         gain = paired_gain(before, after, conditions.recordings, level)
-        changes.append(Remedy(change, statics_of(changed), after, gain))
+        changes.append(Remedy(change, statics_of(changed, conditions.slope), after, gain))
     return tuple(changes)
 
 

@@ -135,9 +135,8 @@ class Assessment:
         if not standing or self._slides:
             return None
         furthest = max(standing, key=lambda i: self.records[i].rotation)
-        motion, impact = self.conditions.motions[furthest], self.conditions.impact
-        duration = case_of(self.structure, motion, impact).duration
-        return simulate(self.structure, motion, impact=impact, duration=duration)
+        motion = self.conditions.motions[furthest]
+        return simulate(case_of(self.structure, motion, self.conditions))
 
     # -- questions
 
@@ -177,7 +176,10 @@ class Assessment:
     def title(self) -> str:
         """Question of the assessment, with the structure and the number of records."""
         n = self._n // 2 if self.conditions.both_ways else self._n
-        return f"Will it overturn? {type(self.structure).__name__} under {plural(n, 'record')}"
+        slope = np.degrees(self.conditions.slope)
+        where = f" on a slope of {slope:.3g} degrees" if slope else ""
+        who = type(self.structure).__name__
+        return f"Will it overturn? {who}{where} under {plural(n, 'record')}"
 
     @cached_property
     def verdict(self) -> str:
@@ -269,7 +271,7 @@ class Assessment:
                 "Sliding: not judged, since no coefficient of friction was given; below "
                 f"{_by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
             )
-        slides = in_g(friction * self.statics.weight / self.statics.mass)
+        slides = in_g(self.statics.sliding_acceleration(friction))
         phrases = {
             True: f"slides first, from {slides} on, since its friction, {friction:g}, is below ",
             False: f"rocks first, since its friction, {friction:g}, is above ",
@@ -363,7 +365,7 @@ class Assessment:
             height = step * np.floor(highest / step)
             which = "the highest place where it does not push the base out"
         force, held = self.statics.strap(load, height), self.statics.hold_down(load)
-        pushed = self.statics.mass * top
+        pushed = self.statics.mass * (top + abs(self.statics.along))
         if force == 0.0 or not self.statics.one_body:
             return
         if np.isnan(force):
@@ -418,6 +420,8 @@ class Assessment:
             said.append(
                 f"Vertical shaking: that of {shaken} of {self._motions(self._n)}, scaled along."
             )
+        if self.conditions.slope:
+            said.append("Slope: it falls to the right; the records act along it and normal to it.")
         still = "" if shaken else "no vertical shaking, "
         said.append(
             f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
@@ -583,7 +587,7 @@ class Assessment:
 
     def _body(self) -> str:
         shaken = simulated(self.structure, self.conditions)
-        facts = facts_of(shaken, self.conditions.impact)
+        facts = facts_of(shaken, self.conditions.impact, self.conditions.slope)
         parts = [
             *(f'<p class="question">{escape(one)}</p>' for one in self.questions),
             f'<p class="verdict">{escape(self.verdict)}</p>',

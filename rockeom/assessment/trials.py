@@ -57,6 +57,8 @@ class Conditions(NamedTuple):
         Names of vertical components, which were not used.
     pga_given : object, optional
         PGA as the user wrote it.
+    slope : float, optional
+        Slope of the ground [rad].
     """
 
     motions: tuple[Recording, ...]
@@ -67,6 +69,7 @@ class Conditions(NamedTuple):
     both_ways: bool = False
     left_out: tuple[str, ...] = ()
     pga_given: Any = None
+    slope: float = 0.0
 
     @property
     def vertical_peak(self) -> float:
@@ -224,11 +227,13 @@ def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials
     )
 
 
-def case_of(structure: Structure, motion: Recording, impact: ImpactLaw | None) -> Case:
+def case_of(structure: Structure, motion: Recording, conditions: Conditions) -> Case:
     """The structure under a motion and quiet time after it."""
+    impact, slope = conditions.impact, conditions.slope
     horizontal, vertical = motion.horizontal[0], motion.vertical
     longest = max(one.duration for one in (horizontal, vertical) if one is not None)
-    return Case(structure, horizontal, impact, duration=longest + QUIET, vertical=vertical)
+    end = longest + QUIET
+    return Case(structure, horizontal, impact, duration=end, vertical=vertical, slope=slope)
 
 
 def _under(
@@ -243,7 +248,7 @@ def _under(
         return []
 
     def case(motion: Recording, pga: float | None = None) -> Case:
-        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions.impact)
+        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions)
 
     over = {"motion": motions} | ({} if levels is None else {"pga": levels})
     sweep = simulate_many(case, over, sweep_options=SweepOptions(progress=False))
@@ -252,7 +257,7 @@ def _under(
     theta = structure.module.STATES[structure.module.ROTATION]
     if structure.overturning_angles is not None:
         ratios = (
-            rotation_ratio(structure, sweep[name].sel(state=theta).values)
+            rotation_ratio(structure, sweep[name].sel(state=theta).values, conditions.slope)
             for name in ("minimum", "maximum")
         )
         part = np.maximum(*map(np.abs, ratios))

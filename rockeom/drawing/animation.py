@@ -24,6 +24,7 @@ from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, number, require
 from rockeom.simulation.response import Response
@@ -172,6 +173,8 @@ class Animation:
             for i, motion in enumerate((run.motion, run.vertical)):
                 if motion is not None:
                     self.ground[:, i] = ground_displacement(motion, times)
+        if run.slope and run.ground_axes == SLOPE:
+            self.ground = free_body.turned(self.ground, (0.0, 0.0), run.slope)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -204,12 +207,12 @@ class Animation:
             Axes.
         """
         sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
-        sketch.draw(ax)
+        sketch.draw(ax, self.run.slope)
         for foot in sketch.closed_feet:
-            for at in sketch.feet_at(foot):
+            for at in self._feet(sketch, foot):
                 free_body.pivot(ax, at)
         for foot in self._landing(i, sketch):
-            for at in sketch.feet_at(foot):
+            for at in self._feet(sketch, foot):
                 ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
         x, y = self.ground[i]
         (left, right), (low, high) = self.limits
@@ -217,6 +220,10 @@ class Animation:
             free_body.line(ax, (-x, low - y), (-x, high - y))
         ax.set(xlim=(left - x, right - x), ylim=(low - y, high - y), aspect="equal")
         ax.axis("off")
+
+    def _feet(self, sketch: Sketch, foot: str) -> np.ndarray:
+        """(k, 2) where a foot is drawn, and those of the copies of its body."""
+        return free_body.turned(sketch.feet_at(foot), (0.0, 0.0), self.run.slope)
 
     def title(self, i: int) -> str:
         """Time, and how many impacts there have been.
@@ -257,7 +264,9 @@ class Animation:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
         poses = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, poses) + self.ground[:, None]
+        points = all_points(structure, poses)
+        turned = free_body.turned(points.reshape(-1, 2), (0.0, 0.0), self.run.slope)
+        points = turned.reshape(points.shape) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])

@@ -11,8 +11,10 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
+from rockeom.motion.slope import WORLD
 from rockeom.numbers.checks import number, require
 from rockeom.simulation.response import Response
+from rockeom.structures.slope import overturning_angles
 
 Draw = Callable[[Axes, Response], None]
 
@@ -125,11 +127,12 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
 
 def _ground(ax: Axes, run: Response) -> None:
     scale = style.ground_scale(run)
-    ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label="horizontal")
+    across, up = ("along", "normal") if run.slope else ("horizontal", "vertical")
+    ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label=across)
     ax.set_ylabel("ground\nacceleration [g]")
-    if run.vertical is not None:
+    if run.vertical is not None or (run.slope and run.ground_axes == WORLD):
         vertical = run["vertical_ground_acceleration"] / scale
-        ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label="vertical")
+        ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label=up)
         style.legend_above(ax)
 
 
@@ -155,13 +158,14 @@ def _others(run: Response, unit: str) -> list[str]:
 
 def _overturning_angles(ax: Axes, run: Response) -> None:
     """A scale of theta/alpha where one alpha is that of both sides; dashed lines within reach."""
-    left, right = run.structure.overturning_angles or (np.nan, np.nan)
+    left, right = overturning_angles(run.structure, run.slope) or (np.nan, np.nan)
     if not np.isfinite(left + right):
         return
     low, high = ax.get_ylim()
     reached = [angle for angle in (-left, right) if low < angle < high]
     for angle in reached:
-        label = r"$\alpha$" if angle == reached[0] else None
+        name = "overturning angle" if run.slope else r"$\alpha$"
+        label = name if angle == reached[0] else None
         ax.axhline(angle, color=style.INK, lw=0.8, ls="--", zorder=1, label=label)
     if np.isclose(left, right, rtol=1e-9):
         functions = (lambda y: y / left, lambda y: y * left)

@@ -10,6 +10,8 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
 from rockeom.drawing.checks import check_drawn
+from rockeom.motion.slope import slope_angle
+from rockeom.numbers.checks import number
 from rockeom.structures.base import Structure
 from rockeom.structures.positions import BODIES, Member, legs, places, positions_of, rotations_of
 
@@ -21,6 +23,7 @@ def draw_structure(
     state: Mapping[str, float] | None = None,
     rotation: float = 0.0,
     ax: Axes | None = None,
+    slope: float | str = 0.0,
 ) -> Figure:
     """Draw the bodies, the feet and the ground of a structure, in any state.
 
@@ -35,6 +38,8 @@ def draw_structure(
         Value of the coordinate that overturns, alone [rad, or its unit].
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; a new figure if not given.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg".
 
     Returns
     -------
@@ -65,7 +70,7 @@ def draw_structure(
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     ax = ax or style.new_figure(2.6, 3.4).add_subplot()
     y = structure.state(named | dict(state or {}))
-    Sketch(structure, y, structure.mode_number(y)).draw(ax)
+    Sketch(structure, y, structure.mode_number(y)).draw(ax, number("slope", slope_angle(slope)))
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
@@ -136,7 +141,9 @@ class Sketch:
         shifts = next(iter(self.copies.values()), np.zeros(1))
         return self.now.places[name] + np.column_stack([shifts, np.zeros(len(shifts))])
 
-    def draw(self, ax: Axes) -> None:
+    def draw(self, ax: Axes, slope: float = 0.0) -> None:
+        """Draw it; slope : of the ground [rad]."""
+        others = {*ax.get_children()}
         for member in self.shapes.members:
             self._member(ax, member)
         for name in self.now.angles:
@@ -146,6 +153,10 @@ class Sketch:
             for at in self.feet_at(name):
                 self._foot(ax, name, at)
         self._ground(ax)
+        if slope:
+            free_body.tilt(ax, slope, [x for x in ax.get_children() if x not in others])
+            ax.relim()
+            ax.autoscale_view()
 
     # -- bodies
 

@@ -150,6 +150,8 @@ def name_of(run: Response) -> str:
 def title_of(run: Response) -> str:
     """Structure and motion."""
     structure = name_of(run)
+    if run.slope:
+        structure += f" on a slope of {np.degrees(run.slope):.3g} degrees"
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
 
 

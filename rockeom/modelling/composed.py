@@ -17,13 +17,14 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_contact_law, check_values
+from rockeom.structures.restraints import parameters_of
 from rockeom.structures.supports import Support, SupportedStructure
 
 
 class _Derived(Support):
     """A support that is a part of the derivation."""
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         return module_of(superstructure, **arguments, **self.derivation)
 
 
@@ -405,7 +406,7 @@ class ShearFrame(SupportedStructure):
         "dampings": "damping",
         "inertias": "inertia",
     }
-    not_numbers = frozenset({*of_each, "support"})
+    not_numbers = frozenset({*of_each, "support", "restraint", "loads"})
     masses: Sequence[float]
     heights: Sequence[float]
     stiffnesses: Sequence[float]
@@ -498,7 +499,8 @@ class ShearFrame(SupportedStructure):
         }
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             values[name] = getattr(self, name)
-        return values | (self.support.parameters() if self.support else {})
+        support = self.support.parameters() if self.support else {}
+        return values | support | parameters_of(*self.restraint, *self.loads)
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

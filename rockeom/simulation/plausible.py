@@ -12,10 +12,12 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.events import EventColumns, Impacts
 from rockeom.simulation.steps import Rows
-from rockeom.simulation.support import Support
+from rockeom.simulation.support import Support, surfaces
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.evaluation import at_states
 from rockeom.structures.impact_laws import Impulsive
+from rockeom.structures.searched_modes import friction_of
+from rockeom.structures.slope import overturning_angles, uplift_accelerations
 from rockeom.structures.units import is_dimensionless
 
 SHARE_OF_UPLIFT = 0.5
@@ -131,8 +133,29 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
     )
 
 
+def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
+    """Ground on which the structure cannot stand, or on which its feet slide."""
+    if not slope:
+        return ()
+    said = []
+    uplifts, alpha = uplift_accelerations(structure, slope), structure.slenderness or math.inf
+    if min(uplifts) <= 0.0 if uplifts else structure.has_landings and abs(slope) >= alpha:
+        said.append("turns downhill about its edge without any shaking")
+    friction, least = math.inf, abs(math.tan(slope))
+    if structure.has_landings:
+        each = friction_of(structure.module, structure.vector)
+        friction = min(each[[*points]].max() for points in surfaces(structure.module).values())
+    if friction < least:
+        said.append(
+            f"slides downhill, since its friction, {friction:.4g}, is below {least:.4g}, the "
+            "tangent of the slope"
+        )
+    words = f"On a slope of {with_degrees(slope, 'rad')} it cannot stand: it"
+    return tuple(f"{words} {one}." for one in said)
+
+
 def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
-    """An uplift of both feet at once, of which their order decides."""
+    """An uplift of both feet at once, of which their order decides, on level ground."""
     for t, _, (before, _) in zip(*events.of(UPLIFT), strict=True):
         if not before.any() and motion.acceleration(t) == 0.0:
             return (
@@ -142,20 +165,25 @@ def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
     return ()
 
 
-def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:
+def beyond_balance(structure: Structure, rows: Rows, slope: float) -> tuple[str, ...]:
     """A start from which the structure falls over when it is released at rest."""
     m, start = structure.module, rows.y[0]
-    if not (structure.rocks_on_rigid_ground and start[m.ROTATION]):
+    rotation = float(start[m.ROTATION])
+    if not (structure.rocks_on_rigid_ground and rotation):
         return ()
-    around = np.array([start, start])
-    around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
-    energy = at_states(structure.module, structure.vector, "energies", rows.mode[[0, 0]], around)
-    potential = energy["gravitational_energy"] + energy["elastic_energy"]
-    if potential[1] >= potential[0]:
+    if slope:
+        bounds = overturning_angles(structure, slope) or (math.inf, math.inf)
+        returns = abs(rotation) <= bounds[rotation > 0.0]
+    else:
+        around, modes = np.array([start, start]), rows.mode[[0, 0]]
+        around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
+        energy = at_states(structure.module, structure.vector, "energies", modes, around)
+        potential = energy["gravitational_energy"] + energy["elastic_energy"]
+        returns = potential[1] >= potential[0]
+    if returns:
         return ()
     name, unit = m.STATES[m.ROTATION], m.STATE_UNITS[m.ROTATION]
-    rotation = float(start[m.ROTATION])
     text = f"The initial {name}, {with_degrees(rotation, unit)}, lies beyond the overturning angle"
-    if (angles := structure.overturning_angles) is not None:
+    if (angles := overturning_angles(structure, slope)) is not None:
         text += f", {with_degrees(angles[rotation > 0.0], unit)}"
     return (f"{text}: released at rest it falls over.",)

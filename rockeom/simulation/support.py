@@ -107,6 +107,9 @@ class Support:
         """
         if self._extremes is None:
             return math.nan
+        module = self._structure.module
+        if has_landings(module) and getattr(module, "HELD_ACROSS", False):
+            return self._demand_of(module.POINTS)  # without what ties and pushes take
         horizontal, _, _, vertical = self._extremes
 
         def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:

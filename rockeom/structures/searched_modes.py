@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.schema import PROVIDED, SearchedModes, angles
+from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -125,7 +125,9 @@ def completed(
 
     The lowest points stand and do not slip; elements that yield are drawn out.
     """
-    return drawn_out(module, standing(module, y, p, named), p, named)
+    y = drawn_out(module, standing(module, y, p, named), p, named)
+    check_ties(module, value_of(y), value_of(p))
+    return y
 
 
 def standing(
@@ -260,6 +262,17 @@ def _orthonormal(rows: np.ndarray) -> np.ndarray:
     return np.array(basis, dtype=object).reshape(-1, rows.shape[1])
 
 
+@cache
+def breaking(module: GeneratedModule) -> dict[str, int]:
+    """The ties that may break, with the place of the state that says whether they have."""
+    names = getattr(module, "ELEMENTS", ())
+    return {
+        name: module.STATES.index(f"{name}_broken")
+        for name in names
+        if f"{name}_broken" in module.STATES
+    }
+
+
 def drawn_out(
     module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
@@ -268,7 +281,8 @@ def drawn_out(
     Raises ValueError where a permanent extension is named that leaves more than the strength.
     """
     places = {name: f"{name}_extension" for name in module.ELEMENTS}
-    places = {name: z for name, z in places.items() if z in module.STATES}
+    broken = {name for name, i in breaking(module).items() if value_of(y)[i] == 1.0}
+    places = {name: z for name, z in places.items() if z in module.STATES and name not in broken}
     if not places:
         return y
     free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
@@ -291,6 +305,28 @@ def drawn_out(
                 f"{drawn[i]:.6g}, or leave it out"
             )
     return y
+
+
+def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a tie that is neither whole nor broken, or whole beyond its limit."""
+    ties = breaking(module)
+    for name, i in ties.items():
+        if y[i] not in (0.0, 1.0):
+            raise InputError(f"{name}_broken", y[i], module.NAME).give("0, or 1 once it has broken")
+    if not ties:
+        return
+    free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
+    mode = _with_elements(module, free, y, p)
+    guards = np.zeros(module.N_GUARDS + module.N_PARTS)
+    module.guards(mode, y, p, 0.0, 0.0, guards)
+    for name in ties:
+        subject = len(module.POINTS) + module.ELEMENTS.index(name)
+        own = [i for i, of in enumerate(module.SUBJECTS[mode]) if of == subject]
+        if guards[own[-1]] < 0.0:  # the break stands behind its other endings
+            raise InputError(f"{name}_broken", 0, module.NAME).says(
+                f"{name} is whole in this state, and beyond the limit at which it breaks: give "
+                f"{name}_broken=1, or another state"
+            )
 
 
 _BEYOND = 1e-4
@@ -352,8 +388,21 @@ _WORDS = {
 
 
 def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -> int:
-    """Number of the mode named; raises TypeError or ValueError where there is none."""
-    return number_of(module, mode)
+    """Number of the mode named; raises TypeError or ValueError where there is none.
+
+    InputError, too, where a tie that has broken would pull in it.
+    """
+    number = number_of(module, mode)
+    for name, i in breaking(module).items():
+        if (
+            value_of(y)[i] == 1.0
+            and module.ELEMENT_STATES[number][module.ELEMENTS.index(name)] >= 0
+        ):
+            raise InputError("mode", mode, module.NAME).says(
+                f"the mode {mode!r} contradicts {name}_broken = 1: {name} pulls in it; leave the "
+                "mode out"
+            )
+    return number
 
 
 def mode_under_forces(

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import InputTypeError
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
 
 
 class Support:
@@ -33,15 +34,15 @@ class Support:
         """Arguments of `rockeom.derive` that stand for the support."""
         return {}
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         """Generated module of a superstructure that stands on the support.
 
         Parameters
         ----------
         superstructure : str
             Name of the model.
-        **arguments : int
-            Arguments of a family, such as the number of storeys.
+        **arguments : object
+            Arguments of a family, such as the number of storeys, and restraints.
 
         Returns
         -------
@@ -85,12 +86,30 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
 class SupportedStructure(StructureWithFields):
     """A structure that stands on any support."""
 
-    not_numbers = frozenset({"support"})
+    not_numbers = frozenset({"support", "restraint", "loads"})
+    may_be_held: ClassVar[bool] = True
+    """Whether restraints are a part of its derivation."""
     support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+    restraint: Any = ()
+    loads: Any = ()
 
     def __post_init__(self) -> None:
+        what = type(self).__name__
         mass, inertia = self.of_base()
-        check_support(type(self).__name__, self.support, mass, inertia)
+        check_support(what, self.support, mass, inertia)
+        for name, kind in {"restraint": Restraint, "loads": Push}.items():
+            object.__setattr__(self, name, checked(what, name, getattr(self, name), kind))
+        if self._attached and not self.may_be_held:
+            raise InputError("restraint").says(
+                f"{what} takes no restraint and no load: take a HeldBlock, a FlexibleStructure or "
+                "a ShearFrame, or declare a model with Tie elements"
+            )
+        if self._attached and getattr(self.support, "kind", "") != "sliding":
+            raise InputError("restraint").says(
+                f"a {what} with restraints or loads stands on feet that may slide: give "
+                "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
+                "that do not"
+            )
 
     def of_base(self) -> tuple[float, float]:
         """Mass and inertia of all that moves with the base as one body.
@@ -105,19 +124,26 @@ class SupportedStructure(StructureWithFields):
         raise NotImplementedError
 
     @property
+    def _attached(self) -> tuple[Any, ...]:
+        return (*self.restraint, *self.loads)
+
+    @property
     def derivation(self) -> dict[str, Any]:
-        return dict(self.support.derivation) if self.support else {}
+        return (dict(self.support.derivation) if self.support else {}) | kinds_of(*self._attached)
 
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module, of this support."""
-        return self.support.module(self.model) if self.support else super().module
+        if not self.support:
+            return super().module
+        return self.support.module(self.model, **kinds_of(*self._attached))
 
     def parameters(self) -> dict[str, float]:
         own = set(self.defaults())
         support = self.support.parameters() if self.support else {}
         names = (n for n in self.module.PARAMETERS if n in own)
-        return {**{name: getattr(self, name) for name in names}, **support}
+        own_values = {name: getattr(self, name) for name in names}
+        return own_values | support | parameters_of(*self._attached)
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         if path[0] == "support" and len(path) == 2:

@@ -18,7 +18,7 @@ from rockeom.symbolic.checks.common import (
     springs_outputs,
 )
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
-from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.elements import Damper, Pulse, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.model import Body, Coordinate, InternalVariable
 
 
@@ -27,7 +27,7 @@ def check_items(of: ContactDeclaration) -> None:
     with naming(of.name):
         _are(of, "bodies", Body)
         _are(of, "contacts", Contact)
-        _are(of, "elements", Spring, Unilateral, Yielding)
+        _are(of, "elements", Spring, Damper, Pulse, Tie, Unilateral, Yielding)
         _are(of, "forces", Force)
         _rates(of)
 
