@@ -20,7 +20,8 @@ from rockeom.assessment.comparison import Checks, checks_at
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
-from rockeom.assessment.trials import Conditions, as_recorded, scaled
+from rockeom.assessment.ties import tie_answers
+from rockeom.assessment.trials import Conditions, as_recorded, own_friction, scaled
 from rockeom.motion import GroundMotion
 from rockeom.motion.components import split
 from rockeom.motion.ground_motion import every_component
@@ -139,6 +140,12 @@ def assess(
     require(0.0 < level < 1.0, "assess", "level", level, "it lies between 0 and 1, as 0.95")
     if friction is not None:
         not_negative("assess", friction=friction)
+    own = own_friction(structure)
+    if own is not None and friction not in (None, own):
+        raise InputError("friction", friction, "assess").wrong(
+            f"is {friction:g}, and {own:g} in the structure: leave it out"
+        )
+    friction = own if friction is None else friction
     angle = float(slope_angle(slope))
     if angle and friction is not None and friction <= abs(np.tan(angle)):
         raise InputError("slope", slope, "assess").so(
@@ -162,8 +169,9 @@ def assess(
     trials = scaled(structure, conditions, level)
     changed = remedies(structure, conditions, trials, level)
     return Assessment(
-        structure, conditions, level, statics, recorded, trials, changed, units_checked, of_codes
-    )
+        structure, conditions, level, statics, recorded, trials, changed, units_checked, of_codes,
+        tie_answers(structure, conditions, trials.broken),
+    )  # fmt: skip
 
 
 def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:

@@ -78,6 +78,9 @@ def _changed(structure: Structure) -> Iterator[tuple[str, Structure]]:
     """Changed structures of the same mass and inertia, each with the change in words."""
     if not hasattr(structure, "__dataclass_fields__"):
         return
+    if hasattr(structure, "changed"):
+        yield from structure.changed(WIDER, LOWER)
+        return
     same: Any = structure
     names = structure.defaults()
     kept = {"inertia": structure.parameters()["inertia"]} if "inertia" in names else {}

@@ -17,6 +17,7 @@ from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
 from rockeom.assessment.statics import Load, Statics
+from rockeom.assessment.ties import TieAnswer, in_words, strap_trial
 from rockeom.assessment.trials import (
     OF_TAILS,
     QUIET,
@@ -83,6 +84,8 @@ class Assessment:
         Whether there is a verdict though a unit is in doubt.
     checks : tuple of tuple of Check, optional
         Checks of codes at each PGA (m, k).
+    ties : tuple of TieAnswer, optional
+        Ties that may break, and how often they do at each PGA.
     """
 
     structure: Structure
@@ -94,6 +97,7 @@ class Assessment:
     remedies: tuple[Remedy, ...]
     units_checked: bool = False
     checks: tuple[tuple[Check, ...], ...] = ()
+    ties: tuple[TieAnswer, ...] = ()
 
     # -- numbers
 
@@ -199,7 +203,8 @@ class Assessment:
         if not answered or self.records_in_doubt:
             return ""
         lift = sum(one.lifts for one in answered)
-        said = f"As recorded, {count(lift)} of {self._motions(len(answered))} lift{_s(lift)} a foot"
+        of = f"{count(lift)} of {self._motions(len(answered))}"
+        said = f"As recorded, {of} lift{_s(lift)} {self._foot}"
         if not lift:
             return f"{said}."
         standing = [one.part for one in answered if not one.fell]
@@ -232,7 +237,9 @@ class Assessment:
         most = f"up to a PGA of {in_g(top.pga)}"
         if not any(row.lifted for row in rows):
             lifts = f"none of {self._motions(top.number)} even lifts"
-            return f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} a foot."
+            return (
+                f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} {self._foot}."
+            )
         return (
             f"Not under these records: none of {top.number} overturns it {most}, where the "
             f"{percent(self.level)} interval of the probability is {_interval(top)}."
@@ -254,12 +261,13 @@ class Assessment:
     def findings(self) -> tuple[str, ...]:
         """The results in sentences."""
         accelerations = [f"{in_g(a)} ({a:.3g} m/s2)" for a in self.statics.uplift_accelerations]
-        uplift = _by_side(f"from {a} on" for a in accelerations)
+        uplift = self._by_side(f"from {a} on" for a in accelerations)
         curve = f"Probability against intensity: no curve, {self.trials.no_curve}."
         of_curve = [curve] if self.trials.no_curve else map(self._of_probability, (0.05, 0.5))
         return (
             f"Uplift: {self.statics.lifts} lifts {uplift}, the static threshold.",
             self._of_sliding(),
+            *filter(None, [in_words(self.ties, self.trials, self.conditions)]),
             *of_curve,
             *([self._of_unanswered()] if self.trials.without_answer else []),
         )
@@ -269,7 +277,7 @@ class Assessment:
         if friction is None:
             return (
                 "Sliding: not judged, since no coefficient of friction was given; below "
-                f"{_by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
+                f"{self._by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
             )
         slides = in_g(self.statics.sliding_acceleration(friction))
         phrases = {
@@ -278,7 +286,7 @@ class Assessment:
             None: "is at the limit between sliding first and rocking first, a friction of ",
         }
         first = self.statics.slides_first(friction)
-        said = _by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
+        said = self._by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
         return f"Sliding: it {said}.{self._of_room()}"
 
     def _of_room(self) -> str:
@@ -366,7 +374,7 @@ class Assessment:
             which = "the highest place where it does not push the base out"
         force, held = self.statics.strap(load, height), self.statics.hold_down(load)
         pushed = self.statics.mass * (top + abs(self.statics.along))
-        if force == 0.0 or not self.statics.one_body:
+        if not self.statics.one_body or force == 0.0:
             return
         if np.isnan(force):
             yield "No strap or anchor is judged: the vertical shaking lifts it."
@@ -375,8 +383,10 @@ class Assessment:
             f"A strap {height:.4g} m above the ground, {which}, keeps it from lifting"
             f"{' and sliding' * (friction is not None)} up to {in_g(top)}, "
             f"statically, with a strength of {self._force(force)}; the base then carries "
-            f"{self._force(pushed - force)} across."
+            f"{self._force(pushed - force)} across.{self._of_trial(height, force)}"
         )
+        if self.statics.one_sided:
+            return
         yield (
             f"So does a hold-down of {self._force(held)} at each edge; the base then carries "
             f"{self._force(pushed)} across."
@@ -385,6 +395,23 @@ class Assessment:
         )
         if friction is None:
             yield "Neither is judged against sliding, since no coefficient of friction was given."
+
+    def _of_trial(self, height: float, force: float) -> str:
+        """The strap under the records at the highest PGA; no words where it is not simulated."""
+        trial = strap_trial(self.structure, self.conditions, height, force)
+        if trial is None:
+            return ""
+        where = f"{self._motions(trial.number)} at that PGA"
+        if trial.overturned:
+            return f" Simulated, it does not hold: {trial.overturned} of {where} overturn it."
+        strength = max(force, trial.force)
+        step = 10.0 ** (np.floor(np.log10(strength)) - 2.0)
+        sides = "" if self.statics.one_sided else " to either side"
+        return (
+            f" Simulated, with one{sides} of {trial.stiffness:.2g} N/m, none of {where} "
+            f"overturns it, and one takes up to {self._force(trial.force)}: choose a strength of "
+            f"{newton(step * np.ceil(strength / step))} or more."
+        )
 
     @property
     def _strap_place(self) -> tuple[float, str]:
@@ -436,6 +463,8 @@ class Assessment:
         support = self.furthest.support
         needed = max(support.friction_demand, support.impact_friction_demand)
         friction = self.conditions.friction
+        if np.isnan(needed):
+            return ("No sliding: the simulations hold the edge about which it turns.",)
         held = (
             "" if friction is None else " It held." if needed <= friction else " It did not hold."
         )
@@ -466,6 +495,10 @@ class Assessment:
         return bool(self.units_in_doubt) and not self.units_checked
 
     @property
+    def _foot(self) -> str:
+        return "its inner edge" if self.statics.one_sided else "a foot"
+
+    @property
     def _slides(self) -> bool:
         return can_slide(self.structure, self.conditions)
 
@@ -474,6 +507,13 @@ class Assessment:
         """Whether it leaves its place anywhere."""
         rooms = [row.room for row in self.trials.intensities] + [one.room for one in self.records]
         return any(room > _STILL for room in rooms)
+
+    def _by_side(self, texts: Iterable[str]) -> str:
+        """Texts (left, right) as one; that of the right alone of what lifts to no other side."""
+        left, right = texts
+        if left == right or self.statics.one_sided:
+            return right
+        return f"{left} to the left and {right} to the right"
 
     @property
     def _n(self) -> int:
@@ -610,7 +650,13 @@ class Assessment:
 
     def _intensity_table(self) -> str:
         curve = self.trials.fragility
-        heads = ("PGA", "lift a foot", "overturn", f"{percent(self.level)} interval", "curve")
+        heads = (
+            "PGA",
+            f"lift {self._foot}",
+            "overturn",
+            f"{percent(self.level)} interval",
+            "curve",
+        )
         rows = [
             (
                 in_g(row.pga),
@@ -657,11 +703,6 @@ def check_page(path: str | Path) -> None:
     if Path(path).suffix.lower() != ".html":
         raise InputError("path", Path(path)).give("a page, a name that ends in .html")
     check_target(path)
-
-
-def _by_side(texts: Iterable[str]) -> str:
-    left, right = texts
-    return left if left == right else f"{left} to the left and {right} to the right"
 
 
 def _s(n: int) -> str:

@@ -15,7 +15,7 @@ down needs T >= (m a h - N b)/(2 b), with the distance 2 b of the edges, and T >
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,6 +28,12 @@ from rockeom.structures.slope import uplift_accelerations
 
 _SAME = 1e-9
 """Relative difference of a friction coefficient and b/h that is rounding."""
+
+_LIFTS = {
+    "facade": "the inner edge, without ties,",
+    "isolated_blocks": "a block, on ground that moves as its base does,",
+}
+"""What lifts first, of structures of which it is no foot on the ground, by their models."""
 
 
 class Load(NamedTuple):
@@ -85,6 +91,11 @@ class Statics(NamedTuple):
     lifts: str = "a foot"
     one_body: bool = True
     along: float = 0.0
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether it lifts to the right alone."""
+        return math.isinf(self.uplift_accelerations[0])
 
     @property
     def uplift_acceleration(self) -> float:
@@ -209,12 +220,19 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
                 "corners that slide are not judged: leave out the support of the stack"
             )
         return _of_stack(structure)
+    if (bare := structure.unrestrained) is not None:
+        lifts = _LIFTS.get(structure.model, "a foot, with nothing that holds it,")
+        held = hasattr(structure, "restraint")
+        return statics_of(bare, slope)._replace(lifts=lifts, one_body=held)
+    if structure.model == "facade":
+        return _of_facade(structure, slope)
     thresholds = uplift_accelerations(structure, slope)
     if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
         raise InputError("structure", of="assess").says(
             f"{structure.model} has no feet that lift from rigid ground, in metres and seconds: "
             "take a RigidBlock, with friction= where it may slide, StackedBlocks, "
-            "LumpedMassStructure, FlexibleStructure or ShearFrame"
+            "LumpedMassStructure, FlexibleStructure, ShearFrame, HeldBlock, Facade or "
+            "IsolatedBlocks"
         )
     if not math.isfinite(min(thresholds)):
         raise InputError("structure", structure.model, "assess").so("no acceleration lifts it")
@@ -240,6 +258,21 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
         one_body=math.isclose(counted, mass, rel_tol=1e-6),
         along=along,
     )
+
+
+def _of_facade(facade: Any, slope: float) -> Statics:
+    """A facade lifts from its outer edge alone, away from the walls on which it leans."""
+    if slope:
+        raise InputError("slope", slope, "assess").so("facades are judged on level ground alone")
+    at_rest, pushed = facade.reactions({}), facade.reactions({}, ground_acceleration=1.0)
+    moment = facade.thickness * at_rest["walls_reaction"]  # about the outer edge
+    mass = float(pushed["horizontal_reaction"])
+    height = facade.thickness * (pushed["walls_reaction"] - at_rest["walls_reaction"]) / mass
+    if moment <= 0.0:
+        raise InputError("thrust", facade.thrust, "Facade").so("it cannot stand")
+    weight = mass * facade.gravity
+    uplifts, arms = (math.inf, moment / (mass * height)), (math.inf, moment / weight)
+    return Statics(uplifts, weight, mass, arms, height, facade.thickness, _LIFTS["facade"])
 
 
 def _of_stack(stack: StackedBlocks) -> Statics:
@@ -279,6 +312,8 @@ def is_symmetric(structure: Structure) -> bool:
     """
     if isinstance(structure, StackedBlocks):
         return True
+    if structure.unrestrained is not None or structure.model == "facade":
+        return False
     m, p, rng = structure.module, structure.vector, np.random.default_rng(0)
     left, right = np.empty((2, m.N_STATES))
     for y in 0.1 * rng.standard_normal((_STATES, m.N_STATES)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from typing import Any, ClassVar
 
@@ -10,7 +11,7 @@ from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Push, Restraint, Strap, checked, kinds_of, parameters_of
 
 
 class Facade(StructureWithFields):
@@ -86,6 +87,50 @@ class Facade(StructureWithFields):
     @property
     def derivation(self) -> dict[str, Any]:
         return kinds_of(*self.restraint, *self.loads)
+
+    @property
+    def full_height(self) -> float:
+        """Height of the wall [m]."""
+        return self.height
+
+    @property
+    def unrestrained(self) -> Facade | None:
+        attached = self.restraint or self.loads
+        return dataclasses.replace(self, restraint=(), loads=()) if attached else None
+
+    def strapped(self, height: float, stiffness: float) -> Facade:
+        """The facade with one tie to the walls behind, and no other restraint.
+
+        Parameters
+        ----------
+        height : float
+            Height of the tie, which is three times as long as the facade is thick [m].
+        stiffness : float
+            Stiffness [N/m].
+
+        Returns
+        -------
+        Facade
+            Tied facade.
+        """
+        face = -self.thickness / 2
+        tie = Strap(at=(face, height), to=(7 * face, height), stiffness=stiffness)
+        return dataclasses.replace(self, restraint=tie)
+
+    def changed(self, wider: float, lower: float) -> tuple[()]:
+        """No other facade: neither its thickness nor its height is changed afterwards.
+
+        Parameters
+        ----------
+        wider, lower : float
+            Not used.
+
+        Returns
+        -------
+        tuple of ()
+            None.
+        """
+        return ()
 
     @functools.cached_property
     def module(self) -> GeneratedModule:

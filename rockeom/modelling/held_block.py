@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
+from collections.abc import Iterator
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
@@ -11,7 +13,8 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Push, Restraint, Strap, checked, kinds_of, parameters_of
+from rockeom.structures.shipped.offset_block import OffsetBlock
 
 
 class HeldBlock(StructureWithFields):
@@ -131,6 +134,70 @@ class HeldBlock(StructureWithFields):
             | ({} if self.wall_gap is None else {"wall": True})
             | ({} if self.contact_law == "newton" else {"law": self.contact_law})
         )
+
+    @property
+    def full_height(self) -> float:
+        """Height of the whole block [m]."""
+        return self.height
+
+    @property
+    def unrestrained(self) -> OffsetBlock | None:
+        if self.base_radius is not None:
+            return None
+        values = self.parameters()
+        return OffsetBlock(
+            half_width=self.width / 2 - self.corner_radius, half_height=values["centroid_height"],
+            offset=self.centroid_offset, mass=self.mass, inertia=values["inertia"],
+            gravity=self.gravity,
+        )  # fmt: skip
+
+    def changed(self, wider: float, lower: float) -> Iterator[tuple[str, HeldBlock]]:
+        """Blocks of the same mass and inertia with another base and centroid, and the change.
+
+        Parameters
+        ----------
+        wider : float
+            Width that the base gains [m].
+        lower : float
+            Part of its height by which the centroid is lowered.
+
+        Yields
+        ------
+        tuple of (str, HeldBlock)
+            Change in words, and the changed block.
+        """
+        own = dataclasses.replace(self, inertia=self.parameters()["inertia"])
+        base = dataclasses.replace(own, width=self.width + wider)
+        yield f"A base {100 * wider:g} cm wider, half of it on each side", base
+        height = (1.0 - lower) * self.parameters()["centroid_height"]
+        yield (
+            f"A centroid {100 * lower:g} % lower",
+            dataclasses.replace(own, centroid_height=height),
+        )
+
+    def strapped(self, height: float, stiffness: float) -> HeldBlock:
+        """The block with a strap to either side, and no other restraint.
+
+        Parameters
+        ----------
+        height : float
+            Height of the straps, which are as long as the base is wide [m].
+        stiffness : float
+            Stiffness of each [N/m].
+
+        Returns
+        -------
+        HeldBlock
+            Strapped block.
+        """
+        straps = [
+            Strap(
+                at=(side * self.width / 2, height), to=(1.5 * side * self.width, height),
+                stiffness=stiffness, name=f"strap_{name}",
+            )
+            for side, name in ((-1, "left"), (1, "right"))
+        ]  # fmt: skip
+        return dataclasses.replace(self, restraint=straps)
 
     @property
     def _corners(self) -> str:

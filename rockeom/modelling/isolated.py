@@ -129,6 +129,16 @@ class IsolatedBlocks(StructureWithFields):
         law = {} if self.contact_law == "newton" else {"law": self.contact_law}
         return {"blocks": len(self.blocks)} | law
 
+    @property
+    def unrestrained(self) -> RigidBlock:
+        """The block that lifts first."""
+        return min(self.blocks, key=lambda one: one.half_width / one.half_height)
+
+    @property
+    def full_height(self) -> float:
+        """Twice the height of the centroid of the highest block [m]."""
+        return 2.0 * max(one.half_height for one in self.blocks)
+
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module of so many blocks."""

@@ -148,6 +148,15 @@ class Structure(metaclass=explained.Constructors):
         """Whether the edges of the base are pivots, and full contact is a mode of its own."""
         return declared_modes.rocks_on_rigid_ground(self.module)
 
+    @property
+    def unrestrained(self) -> Structure | None:
+        """The structure without what holds it, on feet that neither slide nor bounce.
+
+        Its statics are those of a structure of which something else may break, slip or move. None
+        for a structure whose own statics are known, and where there is no such structure.
+        """
+        return None
+
     @functools.cached_property
     def has_impacts(self) -> bool:
         """Whether an impact ends any mode."""

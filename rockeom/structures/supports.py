@@ -1,11 +1,13 @@
 """Supports: the base of a structure stands on one, which is a part of the structure."""
 
+import dataclasses
 import functools
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.structures.base import Structure
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
 
@@ -122,6 +124,12 @@ class SupportedStructure(StructureWithFields):
             Moment of inertia about the middle of the sole [kg m2].
         """
         raise NotImplementedError
+
+    @property
+    def unrestrained(self) -> Structure | None:
+        if getattr(self.support, "kind", "") != "sliding" or not self.may_be_held:
+            return None
+        return dataclasses.replace(self, support=None, restraint=(), loads=())
 
     @property
     def _attached(self) -> tuple[Any, ...]:
