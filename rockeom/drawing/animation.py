@@ -340,7 +340,7 @@ class Animation:
 def _signs(animation: Animation) -> list[Line2D]:
     """Meanings of the marks that the structure has."""
     signs: list[Line2D] = []
-    if "foot" in animation.run.structure.module.POSITION_KINDS:
+    if {"foot", "point"} & {*animation.run.structure.module.POSITION_KINDS}:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
     if len(animation.run.impacts):
         signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))

@@ -408,6 +408,8 @@ def tilt(ax: Axes, angle: float, artists: Sequence[Artist]) -> None:
     for artist in artists:
         if isinstance(artist, Annotation):
             artist.xycoords = transform
+            if artist.anncoords == "data":  # the tail of an arrow
+                artist.anncoords = transform
         else:
             artist.set_transform(transform)
 

@@ -60,7 +60,8 @@ def plot_response(
     Notes
     -----
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
-    overturning angles within reach of the rotation are dashed. Impacts are drawn as high as the
+    overturning angles within reach of the rotation are dashed. A tie that breaks has a cross.
+    Impacts are drawn as high as the
     angular velocity just before them, so that the endless small ones before rest do not hide the
     large ones. In the lowest row each contact has a bar where it is closed, with a black one below
     where it slides.
@@ -121,6 +122,7 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
     contacts = style.contacts(run)
     rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
+    rows += [(_ties, 1.0)] if run.ties else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
     return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
@@ -190,6 +192,15 @@ def _uplift(ax: Axes, run: Response) -> None:
 
 
 _OF_CONTACTS = (*style.FEET.values(), *style.OTHERS)
+
+
+def _ties(ax: Axes, run: Response) -> None:
+    """Forces of ties, with a cross where one breaks."""
+    names = {f"{name}_force": name.replace("_", " ") for name in run.ties}
+    draw_curves(ax, run, names, "force of ties", style.strokes(style.OTHERS))
+    for line, tie in zip(ax.lines, run.ties.values(), strict=False):
+        if tie.broke_at is not None:
+            ax.plot(tie.broke_at, tie.largest_force, "x", color=str(line.get_color()), ms=6)
 
 
 def _impacts(ax: Axes, run: Response) -> None:

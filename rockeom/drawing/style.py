@@ -183,7 +183,7 @@ def rate_of(run: Response) -> tuple[str, str]:
 def largest(run: Response, name: str, factor: float, unit: str) -> str:
     """The largest size of a quantity, found within the steps and times a factor, in words."""
     size = abs(run.extremes(name).peak) * factor
-    shown = f"{size:.3g}" if size < 1e3 else f"{size:.0f}"
+    shown = f"{size:.3g}" if size < 999.5 else f"{size:.0f}"
     return f"largest {shown}{'' if unit == '-' else f' {unit}'}"
 
 

@@ -65,6 +65,7 @@ class Facade(StructureWithFields):
     """
 
     model: ClassVar[str] = "facade"
+    arguments: ClassVar = {"half_width": "thickness"}
     may_vanish = frozenset({"restitution", "thrust"})
     may_be_negative = frozenset({"thrust"})
     not_numbers = frozenset({"restraint", "loads"})

@@ -44,7 +44,8 @@ class HeldBlock(StructureWithFields):
     corner_radius : float, optional
         Radius of the lower corners, which roll [m].
     base_radius : float, optional
-        Radius of a round base, on which the block rolls [m]; None for a flat one.
+        Radius of a round base, on which the block rolls [m]; None for a flat one. A block that
+        comes to the edge of its round base counts as overturned.
     wall_gap : float, optional
         Gap between the block and a smooth wall on its right, which its upper corner may strike [m].
         One that slides there upright would strike with its whole face, which is not modelled.
@@ -82,6 +83,7 @@ class HeldBlock(StructureWithFields):
     """
 
     model: ClassVar[str] = "held_block"
+    arguments: ClassVar = {"half_width": "width", "full_height": "height"}
     may_vanish = frozenset(
         {"friction", "restitution", "corner_radius", "centroid_offset", "wall_restitution"}
     )

@@ -43,7 +43,7 @@ class Restraint:
                 "rk.Break(force=...), rk.Break(extension=...) or rk.Break(energy=...)"
             )
         check_values(what, self.limits)
-        if math.isinf(self.strength) and (self.hardening or "energy" in self.limits):
+        if not self.yields and (self.hardening or "energy" in self.limits):
             raise InputError("strength", self.strength, what).give(
                 "a finite one, at which it yields, with hardening and with an energy at a break"
             )
@@ -54,6 +54,11 @@ class Restraint:
         return {} if self.breaks_at is None else self.breaks_at.limits
 
     @property
+    def yields(self) -> bool:
+        """Whether it has a strength."""
+        return self.strength != math.inf
+
+    @property
     def place(self) -> str:
         """Where it is, as the derivation calls it."""
         return self.kind
@@ -62,12 +67,12 @@ class Restraint:
     def of_derivation(self) -> tuple[str, str, bool, str]:
         """Its place, its name, whether it yields, and at what limit it breaks, or an empty text."""
         (limit,) = self.limits or ("",)
-        return self.place, self.name, not math.isinf(self.strength), limit
+        return self.place, self.name, self.yields, limit
 
     def parameters(self) -> dict[str, float]:
         """Values by the names that they have in the generated module."""
         values = {n: getattr(self, n) for n in ("stiffness", "slack_length", "pretension")}
-        if not math.isinf(self.strength):
+        if self.yields:
             values |= {"strength": self.strength, "hardening": self.hardening}
         if self.limits:
             (values["limit"],) = self.limits.values()

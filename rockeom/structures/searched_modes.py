@@ -317,8 +317,8 @@ def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
         return
     free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
     mode = _with_elements(module, free, y, p)
-    guards = np.zeros(module.N_GUARDS + module.N_PARTS)
-    module.guards(mode, y, p, 0.0, 0.0, guards)
+    guards = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
+    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, guards)
     for name in ties:
         subject = len(module.POINTS) + module.ELEMENTS.index(name)
         own = [i for i, of in enumerate(module.SUBJECTS[mode]) if of == subject]

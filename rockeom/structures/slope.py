@@ -116,8 +116,10 @@ def standing_on(structure: Any, y: np.ndarray, weight: tuple[Any, Any]) -> np.nd
     if structure.rocks_on_rigid_ground or structure.has_landings:
         standing = mode_of(y)  # what is held there stays held
         mode_of = lambda _: standing  # noqa: E731
+    units = structure.module.STATE_UNITS[: len(y) // 2]
+    free = [i for i, unit in enumerate(units) if unit != "s s"]  # the time of a push goes on
     try:
-        return _at_rest(structure, y, weight, [*range(len(y) // 2)], mode_of)
+        return _at_rest(structure, y, weight, free, mode_of)
     except ValueError:
         raise InputError("initial", of=structure.model).says(
             f"{structure.model} has no stable equilibrium on the slope near its state at zero: "

@@ -316,9 +316,9 @@ def test_elements_that_yield_and_that_press_stand_in_one_model():
 
 
 REFUSED = {
-    "no strength": ({"strength": sp.S.Zero}, "'bar': its strength is zero"),
+    "no strength": ({"strength": sp.S.Zero}, "'bar': strength is 0: give a positive one"),
     "a negative one": ({"strength": -STRENGTH.symbol}, "element 'bar': strength is -f_y: it is"),
-    "a spring of no stiffness": ({"stiffness": 0}, "its stiffness is zero"),
+    "a spring of no stiffness": ({"stiffness": 0}, "stiffness is 0: give a positive one"),
     "text": ({"elongation": "x"}, "elongation is 'x'"),
 }
 

@@ -174,8 +174,9 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
         yield f"displacement{where}", element.displacement, "q"
         for constant, e in element.constants.items():
             yield f"{constant}{where}", e, ""
-        for axis, e in zip("xy", getattr(element, "place", None) or (), strict=False):
-            yield f"{axis} of the place{where}", e, "q"
+        for of_point in ("place", "end"):
+            for axis, e in zip("xy", getattr(element, of_point, None) or (), strict=False):
+                yield f"{axis} of the {of_point}{where}", e, "q"
         yield f"initial force{where}", getattr(element, "initial_force", sp.S.Zero), ""
     for f in of.forces:
         for value, displacement in f.components:

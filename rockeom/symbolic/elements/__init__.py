@@ -3,7 +3,8 @@
 A state of an element is a number, its chi, with which its force, the rates of its internal
 variables and its energy are written once for all. An ending ends a state: its guard falls through
 zero. A `Spring` has one state, and its chi has no meaning. Elements add forces to a mode, and
-change none of its constraints. A new element is a file here, and a line in the union below.
+change none of its constraints. `drawn` is what a sketch shows at its `place`, if it has one, and
+from there to its `end`. A new element is a file here, and a line in the union below.
 """
 
 from rockeom.numbers.breaks import Break

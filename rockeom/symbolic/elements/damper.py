@@ -8,9 +8,7 @@ from typing import ClassVar
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError
-from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending, broken_of, where_whole
+from rockeom.symbolic.elements.states import Ending, broken_of, check_element, where_whole
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point
 
@@ -37,6 +35,8 @@ class Damper:
         Elongation to either side at which it breaks [m].
     place : tuple of (sympy.Expr, sympy.Expr), optional
         Place (x, y) at which it acts on the structure; a sketch shows it there.
+    end : tuple of (sympy.Expr, sympy.Expr), optional
+        Its other end (x, y); a sketch draws it from there.
 
     Raises
     ------
@@ -54,22 +54,16 @@ class Damper:
     damping: sp.Expr
     stroke: sp.Expr
     place: Point | None = None
+    end: Point | None = None
 
+    drawn: ClassVar = "damper"
     states: ClassVar = (ACTS, GONE)
     symbol_of_force: ClassVar = "S"
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"damping", "stroke"})
 
     def __post_init__(self) -> None:
-        what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        if self.place is not None:
-            valid.points(what, place=self.place)
-        valid.expressions(what, elongation=self.elongation, **self.constants)
-        valid.not_negative(what, **self.constants)
-        for item in sorted(self.positive):
-            if sp.sympify(getattr(self, item)).is_zero:
-                raise InputError(item, 0, what).give("a positive one")
+        check_element(self, elongation=self.elongation)
 
     @cached_property
     def broken(self) -> InternalVariable:

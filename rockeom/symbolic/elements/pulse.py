@@ -8,9 +8,8 @@ from typing import ClassVar
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, require_word
-from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending
+from rockeom.numbers.checks import require_word
+from rockeom.symbolic.elements.states import Ending, check_element
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
@@ -44,7 +43,7 @@ class Pulse:
     shape : str, optional
         "constant", "half sine", "falling" as of a blast, or "gust", 1 - cos.
     place : tuple of (sympy.Expr, sympy.Expr), optional
-        Place (x, y) at which it pushes; a sketch shows it there.
+        Place (x, y) at which it pushes to the right; a sketch shows it there.
 
     Raises
     ------
@@ -65,20 +64,15 @@ class Pulse:
     shape: str = "half sine"
     place: Point | None = None
 
+    drawn: ClassVar = "push"
     states: ClassVar = (WAITS, ACTS, OVER)
     symbol_of_force: ClassVar = "S"
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"force_peak", "duration"})
 
     def __post_init__(self) -> None:
-        what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        require_word("shape", self.shape, SHAPES, what)
-        valid.expressions(what, pushed=self.pushed, **self.constants)
-        valid.not_negative(what, **self.constants)
-        for item in sorted(self.positive):
-            if sp.sympify(getattr(self, item)).is_zero:
-                raise InputError(item, 0, what).give("a positive one")
+        check_element(self, pushed=self.pushed)
+        require_word("shape", self.shape, SHAPES, f"element {self.name!r}")
 
     @cached_property
     def clock(self) -> InternalVariable:
@@ -149,11 +143,11 @@ class Pulse:
         return -self.still_force(chi) * rate(self.pushed, coordinates)
 
     def endings(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Ending, ...]]:
-        """Its start and its end; the state before, of another motion, where the time is less."""
+        """Its start and its end; it is over where that has passed."""
         begins, ends = self.start, self.start + self.duration
         t = self.clock.symbol
         return {
             WAITS: (Ending((begins - t,), ACTS),),
-            ACTS: (Ending((ends - t,), OVER),),
-            OVER: (Ending((t - ends + self.duration,), WAITS),),
+            ACTS: (Ending((ends - t,), OVER, 0),),
+            OVER: (Ending((t - ends,), ACTS, 0),),
         }

@@ -1,15 +1,30 @@
 """States of an element that switches, and what ends them."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sympy as sp
 
+from rockeom.numbers.checks import InputError
+from rockeom.symbolic import valid
 from rockeom.symbolic.model import InternalVariable, internal_variable
 
 
 def switch_of(element: int) -> sp.Symbol:
     """chi: the state of an element, a number."""
     return sp.Symbol(rf"\chi_{element}", real=True)
+
+
+def check_element(element: Any, **expressions: Any) -> None:
+    """Refuse names, places and constants of an element that cannot be; expressions : its others."""
+    what = f"element {element.name!r}"
+    valid.texts(what, name=element.name)
+    ends = {item: getattr(element, item, None) for item in ("place", "end")}
+    valid.points(what, **{item: point for item, point in ends.items() if point is not None})
+    valid.expressions(what, **expressions, **element.constants)
+    valid.not_negative(what, **element.constants)
+    for item in sorted(element.positive):
+        if sp.sympify(getattr(element, item)).is_zero:
+            raise InputError(item, 0, what).give("a positive one, or leave it out")
 
 
 class Ending(NamedTuple):

@@ -11,7 +11,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.breaks import Break
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending, broken_of, where_whole
+from rockeom.symbolic.elements.states import Ending, broken_of, check_element, where_whole
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
@@ -44,6 +44,8 @@ class Tie:
         Limit at which it breaks, for good; None for one that never does.
     place : tuple of (sympy.Expr, sympy.Expr), optional
         Place (x, y) at which it pulls at the structure; a sketch shows it there.
+    end : tuple of (sympy.Expr, sympy.Expr), optional
+        Its other end (x, y); a sketch draws it from there.
 
     Raises
     ------
@@ -77,24 +79,20 @@ class Tie:
     pretension: sp.Expr = sp.S.Zero
     breaks_at: Break | None = None
     place: Point | None = None
+    end: Point | None = None
 
     symbol_of_force: ClassVar = "S"
+    drawn: ClassVar = "tendon"
     outputs: ClassVar = ("force", "elongation")
 
     def __post_init__(self) -> None:
         what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        if self.place is not None:
-            valid.points(what, place=self.place)
         if not isinstance(self.breaks_at, Break | None):
             raise InputTypeError("breaks_at", self.breaks_at, what).give(
                 "such as Break(force=F_u), Break(extension=w_u) or Break(energy=E_u)"
             )
-        valid.expressions(what, elongation=self.elongation, **self.constants, **self.limits)
-        valid.not_negative(what, **self.constants, **self.limits)
-        for item in sorted(self.positive):
-            if sp.sympify(getattr(self, item)).is_zero:
-                raise InputError(item, 0, what).give("a positive one, or leave it out")
+        check_element(self, elongation=self.elongation, **self.limits)
+        valid.not_negative(what, **self.limits)
         if not self.yields and (self.hardening != 0 or "energy" in self.limits):
             raise InputError("strength", self.strength, what).give(
                 "a finite one, at which it yields, with hardening and with an energy at a break"

@@ -7,8 +7,7 @@ from typing import ClassVar
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending
+from rockeom.symbolic.elements.states import Ending, check_element
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point
 
@@ -51,14 +50,12 @@ class Unilateral:
     internal: ClassVar[tuple[InternalVariable, ...]] = ()
 
     def __post_init__(self) -> None:
-        what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        if self.place is not None:
-            valid.points(what, place=self.place)
-        valid.expressions(
-            what, compression=self.compression, stiffness=self.stiffness, damping=self.damping
-        )
-        valid.not_negative(what, stiffness=self.stiffness, damping=self.damping)
+        check_element(self, compression=self.compression)
+
+    @property
+    def drawn(self) -> str:
+        """What a sketch shows at its place."""
+        return "spring_and_damper" if self.damping != 0 else "spring"
 
     @property
     def displacement(self) -> sp.Expr:

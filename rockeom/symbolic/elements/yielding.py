@@ -7,8 +7,7 @@ from typing import ClassVar
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.symbolic import valid
-from rockeom.symbolic.elements.states import Ending
+from rockeom.symbolic.elements.states import Ending, check_element
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
 
@@ -54,19 +53,12 @@ class Yielding:
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"stiffness", "strength"})
     place: ClassVar[Point | None] = None
+    drawn: ClassVar = ""
     """None: a sketch shows members in its place."""
     variable: InternalVariable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        what = f"element {self.name!r}"
-        valid.texts(what, name=self.name)
-        valid.expressions(what, elongation=self.elongation, **self.constants)
-        valid.not_negative(what, **self.constants)
-        for item in sorted(self.positive):
-            if sp.sympify(getattr(self, item)).is_zero:
-                raise ValueError(
-                    f"{what}: its {item} is zero: give a positive one, or leave it out"
-                )
+        check_element(self, elongation=self.elongation)
         z = internal_variable(
             f"z_{self.name}", f"{self.name}_extension", "m", f"permanent extension of {self.name}"
         )

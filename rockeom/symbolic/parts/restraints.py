@@ -107,10 +107,11 @@ def _tie(kind: Kind, p: dict[str, sp.Symbol], place: Place, standing: Place) -> 
         side = -1 if kind.place == "anchor_left" else 1
         end = side * HALF_WIDTH.symbol, sp.S.Zero
         elongation = place(end)[1]
+        to = place(end)[0], sp.S.Zero  # below the foot: it pulls down
     return Tie(
         kind.name, elongation, p["stiffness"], p.get("strength", sp.oo),
         p.get("hardening", sp.S.Zero), p["slack_length"], p["pretension"],
-        Break(**{kind.breaks: p["limit"]}) if kind.breaks else None, place(end),
+        Break(**{kind.breaks: p["limit"]}) if kind.breaks else None, place(end), to,
     )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ import sympy as sp
 
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Rigid
-from rockeom.symbolic.model import Body, Parameter, parameter, rectangle, turned
+from rockeom.symbolic.model import Body, Member, Parameter, parameter, rectangle, turned
 from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION
@@ -54,11 +54,13 @@ def facade(attached: Sequence[tuple[str, str, bool, str]] = ()) -> Any:
         contacts=(
             Contact(
                 "walls", inner[1], inner[0],
-                Rigid(restitution=RESTITUTION.symbol, friction=sp.S.Zero), 0, inner,
+                Rigid(restitution=RESTITUTION.symbol, friction=sp.S.Zero), 0,
+                place((-b, HEIGHT.symbol)),
             ),
         ),
         forces=(Force("thrust", (THRUST.symbol, sp.S.Zero), thrust),),
         elements=ties.elements,
+        members=(Member("wall", "ground", "ground", (-b, 0), (-b, 2 * HEIGHT.symbol)),),
         load_point=centroid,
         reference="AlShawa and others (2019)",
     )  # fmt: skip

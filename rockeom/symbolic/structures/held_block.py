@@ -9,7 +9,7 @@ import sympy as sp
 from rockeom.numbers.checks import require_word
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Rigid, feet
-from rockeom.symbolic.model import Body, Outline, Parameter, parameter
+from rockeom.symbolic.model import Body, Outline, Parameter, Point, parameter
 from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import GRAVITY, Place
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y, moved
@@ -30,6 +30,10 @@ OF_CORNERS = {"sharp": (), "rounded": (RADIUS,), "round base": (BASE_RADIUS,)}
 """Parameters of what the block stands on."""
 
 
+_SIDES = 8
+"""Sides of a polygon for an arc, in a sketch."""
+
+
 @family
 def held_block(
     law: str = "newton",
@@ -43,6 +47,7 @@ def held_block(
     wall : whether there is a smooth wall on its right, which its upper corner may strike.
     """
     require_word("corners", corners, OF_CORNERS, "held_block")
+    rolls = corners == "round base"  # up to the edge of its base
     place = moved((X.position, Y.position))
     ties = attachments(attached, place, lambda point: point)
     centroid = place((OFFSET.symbol, HEIGHT.symbol))
@@ -66,18 +71,20 @@ def held_block(
         contacts=(*_stands(corners, place, law), *((_strikes(place, law),) if wall else ())),
         elements=ties.elements,
         load_point=centroid,
+        overturning=sp.asin(HALF_WIDTH.symbol / BASE_RADIUS.symbol) if rolls else sp.pi / 2,
     )  # fmt: skip
 
 
 def _outline(corners: str) -> Outline:
-    """Its corners about its centroid; a round base as a polygon."""
-    b, top = HALF_WIDTH.symbol, FULL_HEIGHT.symbol
-    sole = [(-b, sp.S.Zero), (b, sp.S.Zero)]
-    if corners == "round base":
-        radius = BASE_RADIUS.symbol
-        halves = [sp.asin(b / radius) * sp.Rational(k, 4) for k in range(-4, 5)]
-        sole = [(radius * sp.sin(a), radius * (1 - sp.cos(a))) for a in halves]
-    points = (*sole, (b, top), (-b, top))
+    """Its corners about its centroid; arcs as polygons."""
+    b, top, of = HALF_WIDTH.symbol, FULL_HEIGHT.symbol, OF_CORNERS[corners]
+    radius = of[0].symbol if of else sp.S.Zero
+    round_base = corners == "round base"
+    turn = sp.asin(b / radius) if round_base else sp.pi / 2
+    flat = sp.S.Zero if round_base else b - radius
+    parts = [turn * sp.Rational(k, _SIDES) for k in range(_SIDES + 1 if of else 1)]
+    right = [(flat + radius * sp.sin(a), radius * (1 - sp.cos(a))) for a in parts]
+    points = (*((-x, y) for x, y in reversed(right)), *right, (b, top), (-b, top))
     return tuple((x - OFFSET.symbol, y - HEIGHT.symbol) for x, y in points)
 
 
@@ -97,10 +104,16 @@ def _stands(corners: str, place: Place, law: str) -> tuple[Contact, ...]:
     def slip(centre: sp.Expr) -> sp.Expr:
         return place((centre, radius))[0] - radius * FREE_ROTATION.position
 
+    def lowest(centre: sp.Expr) -> Point:
+        return place((centre, radius))[0], gap(centre)
+
     if corners == "round base":
-        return (Contact("base", gap(sp.S.Zero), slip(sp.S.Zero), ground),)
+        return (Contact("base", gap(sp.S.Zero), slip(sp.S.Zero), ground, 0, lowest(sp.S.Zero)),)
     return feet(
-        gap=lambda s: gap(s * (b - radius)), slip=lambda s: slip(s * (b - radius)), law=ground
+        gap=lambda s: gap(s * (b - radius)),
+        slip=lambda s: slip(s * (b - radius)),
+        law=ground,
+        place=lambda s: lowest(s * (b - radius)),
     )
 
 

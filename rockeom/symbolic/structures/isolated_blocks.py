@@ -8,7 +8,7 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Rigid
 from rockeom.symbolic.elements import Spring
-from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, rectangle, turned
+from rockeom.symbolic.model import Body, Member, Parameter, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FRICTION, RESTITUTION
 from rockeom.symbolic.registry import family
@@ -28,24 +28,23 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
     law : as of `Rigid`. The place of a block is relative to the base.
     """
     valid.counts("isolated_blocks", blocks=blocks)
-    bodies = [Body("base", BASE_MASS.symbol, (BASE.position, sp.S.Zero), sp.S.Zero, sp.S.Zero)]
+    ends = [f"_{i}" if blocks > 1 else "" for i in range(1, blocks + 1)]
+    sizes = [_sizes(end) for end in ends]
+    edge = sizes[-1][0].symbol - 2 * sum(b.symbol for b, *_ in sizes)  # of the first block
+    slab, bearings = _base(sizes[0][0].symbol / 2 - edge)
+    bodies = [slab]
     contacts: list[Contact] = []
     parameters: list[Parameter] = []
     coordinates = [BASE]
-    middle = sp.S.Zero  # of a block on the base: they stand apart by their width
-    for i in range(1, blocks + 1):
-        end = f"_{i}" if blocks > 1 else ""
+    for end, (b, h, m, inertia) in zip(ends, sizes, strict=True):
         x = coordinate(f"x{_tex(end)}", f"x{end}", "m", "place of the block's base on the base")
         y = coordinate(f"y{_tex(end)}", f"y{end}", "m", "height of the block's base above the base")
         theta = coordinate(rf"\theta{_tex(end)}", f"theta{end}", "rad", "rotation, clockwise")
-        b, h, m, inertia = (
-            parameter(f"{letter}{_tex(end)}", f"{name}{end}", unit, meaning)
-            for letter, name, unit, meaning in _BLOCK
-        )
         parameters += [m, b, h, inertia]
         coordinates += [x, y, theta]
 
-        middle += b.symbol
+        middle = edge + b.symbol
+        edge += 4 * b.symbol  # they stand apart by their width
 
         def place(point: Any, x: Any = x, y: Any = y, theta: Any = theta, at: Any = middle) -> Any:
             across, up = turned(point, (sp.S.Zero, sp.S.Zero), theta.position)
@@ -66,7 +65,6 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
                     place=corner,
                 )
             )  # fmt: skip
-        middle += 3 * b.symbol
     return Model(
         name=f"isolated_blocks_{blocks}",
         title="Blocks on an isolated base",
@@ -80,7 +78,26 @@ def isolated_blocks(blocks: int = 1, law: str = "newton") -> Any:
         falls=dict.fromkeys(coordinates[6::3], sp.pi / 2),
         load_point=bodies[1].position,
         reference="Vassiliou and Makris (2012)",
+        members=bearings,
     )
+
+
+def _base(half_width: sp.Expr) -> tuple[Body, tuple[Member, ...]]:
+    """The base, a slab below the blocks, and bearings that a sketch shows under it."""
+    b, thick = half_width, half_width / 6
+    outline = ((-b, -thick), (b, -thick), (b, 0), (-b, 0))
+    slab = Body("base", BASE_MASS.symbol, (BASE.position, sp.S.Zero), outline=outline)
+    places = [b * sp.Rational(k, 4) for k in (-3, -1, 1, 3)]
+    bearings = (Member("column", "ground", "base", (x, -2 * thick), (x, -thick)) for x in places)
+    return slab, tuple(bearings)
+
+
+def _sizes(end: str) -> list[Parameter]:
+    """Half width, half height, mass and inertia of the block of that ending."""
+    return [
+        parameter(f"{letter}{_tex(end)}", f"{name}{end}", unit, meaning)
+        for letter, name, unit, meaning in _BLOCK
+    ]
 
 
 _BLOCK = (
