@@ -14,7 +14,7 @@ SLACK = -1
 
 
 class TieRecord(NamedTuple):
-    """What a tie went through in a motion.
+    """History of a tie in a motion.
 
     Parameters
     ----------

@@ -65,7 +65,13 @@ class Restraint:
         return self.place, self.name, not math.isinf(self.strength), limit
 
     def parameters(self) -> dict[str, float]:
-        """Values by the names that they have in the generated module."""
+        """Values by the names that they have in the generated module.
+
+        Returns
+        -------
+        dict of str to float
+            Values in SI units.
+        """
         values = {n: getattr(self, n) for n in ("stiffness", "slack_length", "pretension")}
         if not math.isinf(self.strength):
             values |= {"strength": self.strength, "hardening": self.hardening}
@@ -74,7 +80,13 @@ class Restraint:
         return {f"{self.name}_{name}": value for name, value in (values | self.places()).items()}
 
     def places(self) -> dict[str, float]:
-        """Coordinates of its ends [m]."""
+        """Coordinates of its ends.
+
+        Returns
+        -------
+        dict of str to float
+            Coordinates [m]; none of an anchor.
+        """
         return {}
 
 
@@ -85,8 +97,6 @@ class Anchor(Restraint):
 
     Parameters
     ----------
-    foot : str
-        "left" or "right".
     stiffness : float
         Stiffness [N/m].
     strength : float, optional
@@ -101,6 +111,8 @@ class Anchor(Restraint):
         Limit at which it breaks, for good; None for one that never does.
     name : str, optional
         Name of its quantities; "anchor_left" or "anchor_right" if not given.
+    foot : str
+        "left" or "right".
 
     Raises
     ------
@@ -156,10 +168,6 @@ class Strap(Restraint):
 
     Parameters
     ----------
-    at : tuple of (float, float)
-        Point of the structure, from the middle of its base when it stands, x to the right [m].
-    to : tuple of (float, float)
-        Fixed point, from the same place [m].
     stiffness : float
         Stiffness [N/m].
     strength : float, optional
@@ -174,6 +182,10 @@ class Strap(Restraint):
         Limit at which it breaks, for good; None for one that never does.
     name : str, optional
         Name of its quantities, "strap" if not given.
+    at : tuple of (float, float)
+        Point of the structure, from the middle of its base when it stands, x to the right [m].
+    to : tuple of (float, float)
+        Fixed point, from the same place [m].
 
     Raises
     ------
@@ -258,7 +270,13 @@ class Push:
         return f"push {self.shape}", self.name, False, ""
 
     def parameters(self) -> dict[str, float]:
-        """Values by the names that they have in the generated module."""
+        """Values by the names that they have in the generated module.
+
+        Returns
+        -------
+        dict of str to float
+            Values in SI units.
+        """
         x, y = self.at
         values = {
             "x": x,
@@ -287,7 +305,7 @@ RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break, Push)}
 
 
 Attached = Restraint | Push
-"""What acts on a structure on sliding feet besides the ground."""
+"""Forces on a structure on sliding feet that are not those of the ground."""
 
 
 def checked(what: str, name: str, given: Any, kind: type) -> tuple[Any, ...]:
