@@ -11,7 +11,7 @@ from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import Push, Restraint, Strap, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Strap, attach, kinds_of, parameters_of
 
 
 class Facade(StructureWithFields):
@@ -80,8 +80,7 @@ class Facade(StructureWithFields):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        for name, kind in {"restraint": Restraint, "loads": Push}.items():
-            object.__setattr__(self, name, checked("Facade", name, getattr(self, name), kind))
+        attach(self, Strap)
         check_contact_law("Facade", self.restitution, "newton")
 
     @property

@@ -9,7 +9,7 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import StructureWithFields
-from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import attach, kinds_of, parameters_of
 
 
 class Support:
@@ -138,12 +138,10 @@ class HeldStructure(SupportedStructure):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        what = type(self).__name__
-        for name, kind in {"restraint": Restraint, "loads": Push}.items():
-            object.__setattr__(self, name, checked(what, name, getattr(self, name), kind))
+        attach(self)
         if self._attached and not self._slides:
             raise InputError("restraint").says(
-                f"a {what} with restraints or loads stands on feet that may slide: give "
+                f"{type(self).__name__} with restraints or loads stands on feet that slide: give "
                 "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
                 "that do not"
             )

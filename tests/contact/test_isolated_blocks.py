@@ -74,3 +74,10 @@ def test_blocks_that_are_none_are_refused(blocks):
     values = {"base_mass": 1.0, "isolator_stiffness": 1.0, "isolator_damping": 0.0}
     error = told(rk.IsolatedBlocks, blocks=blocks, friction=0.5, **values)
     assert "RigidBlocks" in error
+
+
+def test_gravity_is_that_of_the_blocks():
+    moon = rk.RigidBlock(half_width=B, half_height=H, mass=MASS, gravity=1.62)
+    assert "give that of the blocks, 1.62 m/s2" in told(isolated, moon)
+    with pytest.raises(rk.InputError, match="RigidBlocks"):
+        rk.IsolatedBlocks.from_period(None, base_mass=1.0, period=1.0, damping_ratio=0.1)

@@ -154,6 +154,6 @@ class Pulse:
         t = self.clock.symbol
         return {
             WAITS: (Ending((begins - t,), ACTS),),
-            ACTS: (Ending((ends - t,), OVER),),
-            OVER: (Ending((t - ends + self.duration,), WAITS),),
+            ACTS: (Ending((ends - t,), OVER, 0),),
+            OVER: (Ending((t - ends,), ACTS, 0),),
         }

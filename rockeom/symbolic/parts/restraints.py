@@ -1,4 +1,4 @@
-"""Attachments of a base that slides: anchors at its feet, straps to fixed points, pushes of time."""
+"""Attachments of a base that slides: anchors at its feet, straps to fixed points, and pushes."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
