@@ -336,7 +336,7 @@ def attach(structure: Any, restraint: type = Restraint) -> None:
     what, names = type(structure).__name__, Counter[str]()
     for field_, kind in {"restraint": restraint, "loads": Push}.items():
         given = getattr(structure, field_)
-        every = tuple(given) if isinstance(given, list | tuple) else (given,)
+        every: tuple[Any, ...] = tuple(given) if isinstance(given, list | tuple) else (given,)
         for one in every:
             if not isinstance(one, kind):
                 raise InputTypeError(field_, one, what).give(_REMEDIES[kind])
