@@ -334,7 +334,8 @@ def attach(structure: Any, restraint: type = Restraint) -> None:
     Raises InputTypeError for others, and InputError where two have one name.
     """
     what, names = type(structure).__name__, Counter[str]()
-    for field_, kind in {"restraint": restraint, "loads": Push}.items():
+    kinds: dict[str, Any] = {"restraint": restraint, "loads": Push}
+    for field_, kind in kinds.items():
         given = getattr(structure, field_)
         every: tuple[Any, ...] = tuple(given) if isinstance(given, list | tuple) else (given,)
         for one in every:
