@@ -141,7 +141,7 @@ class Facade(StructureWithFields):
         return {
             "mass": self.mass,
             "half_width": self.thickness / 2,
-            "height": self.height / 2,
+            "centroid_height": self.height / 2,
             "inertia": inertia if self.inertia is None else self.inertia,
             "gravity": self.gravity,
             "restitution": self.restitution,
