@@ -156,6 +156,18 @@ def test_a_round_base_rolls_with_the_period_of_its_closed_form():
     assert run.at(period / 2)["theta"] == pytest.approx(-1e-4, rel=1e-6)
 
 
+def centroid_velocity(state):
+    """Of a block whose base has its middle at x, y: velocity (across, up) of the centroid."""
+    c, s = 0.9 * np.cos(state["theta"]), 0.9 * np.sin(state["theta"])
+    return state["x_dot"] + c * state["theta_dot"], state["y_dot"] - s * state["theta_dot"]
+
+
+def corner_speed(state):
+    """Speed of the upper right corner towards the wall."""
+    up = 1.8 * np.cos(state["theta"]) - 0.25 * np.sin(state["theta"])
+    return state["x_dot"] + up * state["theta_dot"]
+
+
 def test_a_block_that_leans_strikes_the_wall_with_its_upper_corner():
     block = rk.HeldBlock(**SIZE, wall_gap=0.1, wall_restitution=0.3)
     start = {"theta": 0.02, "theta_dot": 0.8}
@@ -167,6 +179,15 @@ def test_a_block_that_leans_strikes_the_wall_with_its_upper_corner():
     y = first.before["y"]
     assert x + 0.25 * np.cos(theta) + 1.8 * np.sin(theta) == pytest.approx(0.35, abs=1e-9)
     assert y == pytest.approx(0.25 * np.sin(theta), abs=1e-9)
+    # a smooth impulse on a free body: the foot, which it lifts, takes none
+    arm = 0.9 * np.cos(theta) - 0.25 * np.sin(theta)  # height of the corner above the centroid
+    inertia = 300.0 * (0.5**2 + 1.8**2) / 12
+    impulse = 1.3 * corner_speed(first.before) / (1 / 300.0 + arm**2 / inertia)
+    assert corner_speed(first.after) == pytest.approx(-0.3 * corner_speed(first.before))
+    spin = first.before["theta_dot"] - impulse * arm / inertia
+    assert first.after["theta_dot"] == pytest.approx(spin, rel=1e-9)
+    across, up = centroid_velocity(first.before)
+    assert centroid_velocity(first.after) == pytest.approx((across - impulse / 300.0, up))
     # the ground cannot pull: the foot leaves it, and the block is struck as a free body
     mass, inertia = (run.structure.parameters()[name] for name in ("mass", "inertia"))
     arm = 1.8 * np.cos(theta) - 0.25 * np.sin(theta)
