@@ -17,7 +17,7 @@ from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
 from rockeom.assessment.statics import Load, Statics
-from rockeom.assessment.ties import TieAnswer, in_words, strap_trial
+from rockeom.assessment.ties import StrapTrial, TieAnswer, in_words, strap_trial
 from rockeom.assessment.trials import (
     OF_TAILS,
     QUIET,
@@ -383,33 +383,37 @@ class Assessment:
             f"A strap {height:.4g} m above the ground, {which}, keeps it from lifting"
             f"{' and sliding' * (friction is not None)} up to {in_g(top)}, "
             f"statically, with a strength of {self._force(force)}; the base then carries "
-            f"{self._force(pushed - force)} across.{self._of_trial(height, force)}"
+            f"{self._force(pushed - force)} across."
         )
-        if self.statics.one_sided:
-            return
+        if not self.statics.one_sided:
+            yield from self._of_hold_down(held, pushed)
+        trial = strap_trial(self.structure, self.conditions, height, force)
+        if trial is not None:
+            yield self._of_trial(trial, force)
+
+    def _of_hold_down(self, held: float, pushed: float) -> Iterator[str]:
+        """Force of a hold-down, and the one across [N]."""
         yield (
             f"So does a hold-down of {self._force(held)} at each edge; the base then carries "
             f"{self._force(pushed)} across."
             if np.isfinite(held)
             else f"No hold-down does without friction: stop the base with {self._force(pushed)}."
         )
-        if friction is None:
+        if self.conditions.friction is None:
             yield "Neither is judged against sliding, since no coefficient of friction was given."
 
-    def _of_trial(self, height: float, force: float) -> str:
-        """The strap under the records at the highest PGA; no words where it is not simulated."""
-        trial = strap_trial(self.structure, self.conditions, height, force)
-        if trial is None:
-            return ""
-        where = f"{self._motions(trial.number)} at that PGA"
+    def _of_trial(self, trial: StrapTrial, force: float) -> str:
+        """The strap under the records at the highest PGA; force : that holds it still [N]."""
+        sides = "" if self.statics.one_sided else " to either side"
+        tried = f"That strap{sides}, of {trial.stiffness:.2g} N/m, simulated: "
+        where = f"of {self._motions(trial.number)} at {in_g(float(self.conditions.levels[-1]))}"
         if trial.overturned:
-            return f" Simulated, it does not hold: {trial.overturned} of {where} overturn it."
+            return f"{tried}{trial.overturned} {where} overturn it all the same."
         strength = max(force, trial.force)
         step = 10.0 ** (np.floor(np.log10(strength)) - 2.0)
-        sides = "" if self.statics.one_sided else " to either side"
         return (
-            f" Simulated, with one{sides} of {trial.stiffness:.2g} N/m, none of {where} "
-            f"overturns it, and one takes up to {self._force(trial.force)}: choose a strength of "
+            f"{tried}none {where} overturns it, and its largest force is "
+            f"{self._force(trial.force)}; choose a strength of "
             f"{newton(step * np.ceil(strength / step))} or more."
         )
 

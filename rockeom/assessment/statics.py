@@ -33,7 +33,7 @@ _LIFTS = {
     "facade": "the inner edge, without ties,",
     "isolated_blocks": "a block, on ground that moves as its base does,",
 }
-"""What lifts first, of structures of which it is no foot on the ground, by their models."""
+"""Parts that lift first, by the models of structures of which it is no foot on the ground."""
 
 
 class Load(NamedTuple):

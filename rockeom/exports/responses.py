@@ -18,6 +18,9 @@ import xarray as xr
 
 from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
+from rockeom.modelling.facade import Facade
+from rockeom.modelling.held_block import HeldBlock
+from rockeom.modelling.isolated import IsolatedBlocks
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
 from rockeom.motion.slope import SLOPE
@@ -41,7 +44,8 @@ from rockeom.version import VERSION
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
 
-_OTHERS = {**SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
+_READY = {one.model: one for one in (Facade, HeldBlock, IsolatedBlocks)}
+_OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 

@@ -11,7 +11,7 @@ from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import Push, Restraint, Strap, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Strap, attach, kinds_of, parameters_of
 
 
 class Facade(StructureWithFields):
@@ -65,7 +65,7 @@ class Facade(StructureWithFields):
     """
 
     model: ClassVar[str] = "facade"
-    arguments: ClassVar = {"half_width": "thickness"}
+    arguments: ClassVar = {"half_width": "thickness", "centroid_height": "height"}
     may_vanish = frozenset({"restitution", "thrust"})
     may_be_negative = frozenset({"thrust"})
     not_numbers = frozenset({"restraint", "loads"})
@@ -81,8 +81,7 @@ class Facade(StructureWithFields):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        for name, kind in {"restraint": Restraint, "loads": Push}.items():
-            object.__setattr__(self, name, checked("Facade", name, getattr(self, name), kind))
+        attach(self, Strap)
         check_contact_law("Facade", self.restitution, "newton")
 
     @property
@@ -143,7 +142,7 @@ class Facade(StructureWithFields):
         return {
             "mass": self.mass,
             "half_width": self.thickness / 2,
-            "height": self.height / 2,
+            "centroid_height": self.height / 2,
             "inertia": inertia if self.inertia is None else self.inertia,
             "gravity": self.gravity,
             "restitution": self.restitution,

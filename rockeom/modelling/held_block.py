@@ -13,7 +13,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.parameters import check_contact_law
-from rockeom.structures.restraints import Push, Restraint, Strap, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import Strap, attach, kinds_of, parameters_of
 from rockeom.structures.shipped.offset_block import OffsetBlock
 
 
@@ -107,8 +107,7 @@ class HeldBlock(StructureWithFields):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        for name, kind in {"restraint": Restraint, "loads": Push}.items():
-            object.__setattr__(self, name, checked("HeldBlock", name, getattr(self, name), kind))
+        attach(self)
         check_contact_law("HeldBlock", self.restitution, self.contact_law)
         check_contact_law("HeldBlock", self.wall_restitution, self.contact_law)
         if self.base_radius is not None and self.corner_radius:

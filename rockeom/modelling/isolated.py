@@ -75,13 +75,12 @@ class IsolatedBlocks(StructureWithFields):
     gravity: float = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        every = (self.blocks,) if isinstance(self.blocks, RigidBlock) else self.blocks
-        if not isinstance(every, Sequence) or not every:
-            raise InputError("blocks", every, "IsolatedBlocks").give("a list of RigidBlocks")
-        for one in every:
-            if type(one) is not RigidBlock:
-                raise InputTypeError("blocks", one, "IsolatedBlocks").give("RigidBlocks")
-        object.__setattr__(self, "blocks", tuple(every))
+        object.__setattr__(self, "blocks", _checked(self.blocks))
+        for one in self.blocks:
+            if one.gravity != self.gravity:
+                raise InputError("gravity", self.gravity, "IsolatedBlocks").give(
+                    f"that of the blocks, {one.gravity:g} m/s2"
+                )
         check_contact_law("IsolatedBlocks", self.restitution, self.contact_law)
 
     @classmethod
@@ -116,7 +115,7 @@ class IsolatedBlocks(StructureWithFields):
         """
         values = {"period": period, "damping_ratio": damping_ratio, "base_mass": base_mass}
         check_values("IsolatedBlocks.from_period", values, frozenset({"damping_ratio"}))
-        every = (blocks,) if isinstance(blocks, RigidBlock) else tuple(blocks)
+        every = _checked(blocks)
         mass = base_mass + sum(one.mass for one in every)
         omega = 2 * math.pi / period
         return cls(
@@ -156,3 +155,13 @@ class IsolatedBlocks(StructureWithFields):
             }  # fmt: skip
             values |= {f"{name}{end}": value for name, value in of.items()}
         return values
+
+
+def _checked(blocks: Any) -> tuple[RigidBlock, ...]:
+    every = (blocks,) if isinstance(blocks, RigidBlock) else blocks
+    if not isinstance(every, Sequence) or not every:
+        raise InputError("blocks", every, "IsolatedBlocks").give("a list of RigidBlocks")
+    for one in every:
+        if type(one) is not RigidBlock:
+            raise InputTypeError("blocks", one, "IsolatedBlocks").give("RigidBlocks")
+    return tuple(every)

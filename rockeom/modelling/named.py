@@ -13,18 +13,13 @@ from typing import Any
 
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
-from rockeom.modelling.facade import Facade
-from rockeom.modelling.held_block import HeldBlock
-from rockeom.modelling.isolated import IsolatedBlocks
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, described, near
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.supports import Support
 
-FAMILIES: Mapping[str, type[Structure]] = {
-    one.model: one for one in (ShearFrame, HeldBlock, IsolatedBlocks, Facade)
-}
+FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
 SUPPORTS: Mapping[str, type[Support]] = {
     support.kind: support for support in (Pinned, TwoSprings, Winkler, Sliding)
 }

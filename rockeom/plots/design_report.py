@@ -369,7 +369,8 @@ def facts_of(
         for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         if name in values
     }
-    if (full := getattr(structure, "full_height", None)) is not None:  # as the block was given
+    full = getattr(structure, "full_height", None)
+    if full is not None and "half_height" in rows:  # as the block was given
         base, centroid = rows.pop("half_width")[0], rows.pop("half_height")
         rows = {"width": (2 * base, "m"), "height": (full, "m"), "centroid height": centroid} | rows
     facts = [

@@ -16,6 +16,7 @@ from rockeom.simulation.support import Support, surfaces
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.evaluation import at_states
 from rockeom.structures.impact_laws import Impulsive
+from rockeom.structures.positions import places, positions_of
 from rockeom.structures.searched_modes import friction_of
 from rockeom.structures.slope import overturning_angles, uplift_accelerations
 from rockeom.structures.units import is_dimensionless
@@ -163,6 +164,27 @@ def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
                 "right as well.",
             )
     return ()
+
+
+def beyond_wall(structure: Structure, rows: Rows) -> tuple[str, ...]:
+    """A lower corner that is beyond the wall that the upper one alone may strike."""
+    m = structure.module
+    if "wall_gap" not in m.PARAMETERS or "right" not in m.POSITIONS:
+        return ()
+    at = places(m, rows.mode, rows.y, structure.vector)
+    corner = positions_of(m, at)["right"][:, 0]
+    wall = structure.positions({})["right"][0] + structure.parameters()["wall_gap"]
+    beyond = float(corner.max() - wall)
+    if beyond <= _BEYOND_WALL * abs(wall):
+        return ()
+    return (
+        f"The lower corner is up to {1e3 * beyond:.3g} mm beyond the wall, which the upper corner "
+        "alone strikes: take a gap that the base does not slide through.",
+    )
+
+
+_BEYOND_WALL = 1e-9
+"""Part of the distance of a wall that is rounding."""
 
 
 def beyond_balance(structure: Structure, rows: Rows, slope: float) -> tuple[str, ...]:

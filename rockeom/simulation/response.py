@@ -424,6 +424,7 @@ class Response:
             *plausible.gained(structure, self.impacts, law),
             *plausible.directions(self.motion, self.vertical),
             *(() if self.slope else plausible.tie(self.motion, self.events.columns)),
+            *plausible.beyond_wall(structure, self._rows),
             *plausible.beyond_balance(structure, self._rows, self.slope),
             *plausible.sloping(structure, self.slope),
         )

@@ -14,7 +14,7 @@ SLACK = -1
 
 
 class TieRecord(NamedTuple):
-    """What a tie went through in a motion.
+    """History of a tie in a motion.
 
     Parameters
     ----------
@@ -65,22 +65,21 @@ def tie_record(
 ) -> TieRecord:
     """The record of a tie. events : of the motion; largest : of its force and its elongation."""
     of = cast(SearchedModes, module)
-    state = np.array(of.ELEMENT_STATES)[:, of.ELEMENTS.index(name)]
-    before, after = state[events.kinds[:, 1]], state[events.kinds[:, 2]]
-    own = np.flatnonzero(before != after)
-    tight = before[own] == SLACK
+    states = np.array(of.ELEMENT_STATES)[:, of.ELEMENTS.index(name)]
+    before, after = states[events.kinds[:, 1]], states[events.kinds[:, 2]]
+    own = before != after
+    tightens, slackens = (events.times[own & (state == SLACK)] for state in (before, after))
+    ends = np.append(slackens, np.inf)[np.searchsorted(slackens, tightens)]
+    snatches = [
+        samples.force[(samples.t >= first) & (samples.t <= last)].max(initial=0.0)
+        for first, last in zip(tightens, ends, strict=True)
+    ]
     broke = np.zeros(0)
     if name in breaking(of):
         whole = events.states[:, :, breaking(of)[name]]
         broke = events.times[whole[:, 1] > whole[:, 0]]
-    times = events.times[own]
-    ends = np.append(times[1:], np.inf)
-    snatches = [
-        samples.force[(samples.t >= first) & (samples.t <= last)].max(initial=0.0)
-        for first, last in zip(times[tight], ends[tight], strict=True)
-    ]
     return TieRecord(
         largest[f"{name}_force"].maximum, largest[f"{name}_elongation"].maximum, dissipated,
-        float(broke[0]) if len(broke) else None, int(tight.sum()),
+        float(broke[0]) if len(broke) else None, len(tightens),
         float(max(snatches, default=0.0)),
     )  # fmt: skip

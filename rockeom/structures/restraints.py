@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
@@ -10,6 +11,7 @@ from typing import Any, ClassVar
 from rockeom.numbers import explained
 from rockeom.numbers.breaks import Break
 from rockeom.numbers.checks import InputError, InputTypeError, number, require_word
+from rockeom.numbers.dual import value_of
 from rockeom.structures.parameters import check_values
 
 _FEET = ("left", "right")
@@ -43,20 +45,23 @@ class Restraint:
                 "rk.Break(force=...), rk.Break(extension=...) or rk.Break(energy=...)"
             )
         check_values(what, self.limits)
-        if not self.yields and (self.hardening or "energy" in self.limits):
+        if value_of(self.pretension) > value_of(self.strength):
+            raise InputError("pretension", self.pretension, what).give(
+                f"less than the strength, {self.strength:g} N"
+            )
+        if not self._yields and (self.hardening or "energy" in self.limits):
             raise InputError("strength", self.strength, what).give(
                 "a finite one, at which it yields, with hardening and with an energy at a break"
             )
 
     @property
+    def _yields(self) -> bool:
+        return math.isfinite(value_of(self.strength))
+
+    @property
     def limits(self) -> dict[str, float]:
         """The limit at which it breaks, by its name; empty for one that never does."""
         return {} if self.breaks_at is None else self.breaks_at.limits
-
-    @property
-    def yields(self) -> bool:
-        """Whether it has a strength."""
-        return self.strength != math.inf
 
     @property
     def place(self) -> str:
@@ -67,19 +72,31 @@ class Restraint:
     def of_derivation(self) -> tuple[str, str, bool, str]:
         """Its place, its name, whether it yields, and at what limit it breaks, or an empty text."""
         (limit,) = self.limits or ("",)
-        return self.place, self.name, self.yields, limit
+        return self.place, self.name, self._yields, limit
 
     def parameters(self) -> dict[str, float]:
-        """Values by the names that they have in the generated module."""
+        """Values by the names that they have in the generated module.
+
+        Returns
+        -------
+        dict of str to float
+            Values in SI units.
+        """
         values = {n: getattr(self, n) for n in ("stiffness", "slack_length", "pretension")}
-        if self.yields:
+        if self._yields:
             values |= {"strength": self.strength, "hardening": self.hardening}
         if self.limits:
             (values["limit"],) = self.limits.values()
         return {f"{self.name}_{name}": value for name, value in (values | self.places()).items()}
 
     def places(self) -> dict[str, float]:
-        """Coordinates of its ends [m]."""
+        """Coordinates of its ends.
+
+        Returns
+        -------
+        dict of str to float
+            Coordinates [m]; none of an anchor.
+        """
         return {}
 
 
@@ -90,8 +107,6 @@ class Anchor(Restraint):
 
     Parameters
     ----------
-    foot : str
-        "left" or "right".
     stiffness : float
         Stiffness [N/m].
     strength : float, optional
@@ -106,6 +121,8 @@ class Anchor(Restraint):
         Limit at which it breaks, for good; None for one that never does.
     name : str, optional
         Name of its quantities; "anchor_left" or "anchor_right" if not given.
+    foot : str
+        "left" or "right".
 
     Raises
     ------
@@ -161,10 +178,6 @@ class Strap(Restraint):
 
     Parameters
     ----------
-    at : tuple of (float, float)
-        Point of the structure, from the middle of its base when it stands, x to the right [m].
-    to : tuple of (float, float)
-        Fixed point, from the same place [m].
     stiffness : float
         Stiffness [N/m].
     strength : float, optional
@@ -179,6 +192,10 @@ class Strap(Restraint):
         Limit at which it breaks, for good; None for one that never does.
     name : str, optional
         Name of its quantities, "strap" if not given.
+    at : tuple of (float, float)
+        Point of the structure, from the middle of its base when it stands, x to the right [m].
+    to : tuple of (float, float)
+        Fixed point, from the same place [m].
 
     Raises
     ------
@@ -250,9 +267,8 @@ class Push:
     name: str = "push"
 
     def __post_init__(self) -> None:
-        check_values("Push", {"duration": self.duration})
-        either = frozenset({"start", "force"})
-        check_values("Push", {"start": self.start, "force": self.force}, either, either)
+        values = {"duration": self.duration, "start": self.start, "force": self.force}
+        check_values("Push", values, frozenset({"start"}), frozenset({"force"}))
         require_word("shape", self.shape, ("half sine", "constant", "falling", "gust"), "Push")
         object.__setattr__(self, "at", _point("at", self.at, "Push"))
         _check_name("Push", self.name)
@@ -263,7 +279,13 @@ class Push:
         return f"push {self.shape}", self.name, False, ""
 
     def parameters(self) -> dict[str, float]:
-        """Values by the names that they have in the generated module."""
+        """Values by the names that they have in the generated module.
+
+        Returns
+        -------
+        dict of str to float
+            Values in SI units.
+        """
         x, y = self.at
         values = {
             "x": x,
@@ -275,14 +297,25 @@ class Push:
         return {f"{self.name}_{name}": value for name, value in values.items()}
 
 
+_TAKEN = {
+    "base", "block", "damping", "facade", "friction", "ground", "impact", "left", "load", "right",
+    "wall", "walls",
+}  # fmt: skip
+"""Names of bodies, contacts and losses of the structures that take restraints."""
+
+
 def _check_name(what: str, name: str) -> None:
-    if not (isinstance(name, str) and name.isidentifier()):
-        raise InputError("name", name, what).give("a word of letters, digits and _")
+    if not (isinstance(name, str) and name.isidentifier() and name.isascii()):
+        raise InputError("name", name, what).give("a word of the letters a to z, digits and _")
+    if name in _TAKEN:
+        raise InputError("name", name, what).give("another one: a part of the structure has it")
 
 
 def _point(name: str, point: Any, what: str) -> tuple[float, float]:
     if not (isinstance(point, Sequence) and len(point) == 2):
         raise InputTypeError(name, point, what).give("two numbers, x and y [m]")
+    for value in point:
+        check_values(what, {name: value}, may_be_negative=frozenset({name}))
     x, y = (number(name, value, what) for value in point)
     return x, y
 
@@ -292,20 +325,31 @@ RESTRAINTS = {one.kind: one for one in (Anchor, Strap, Break, Push)}
 
 
 Attached = Restraint | Push
-"""What acts on a structure on sliding feet besides the ground."""
+"""Forces on a structure on sliding feet that are not those of the ground."""
 
 
-def checked(what: str, name: str, given: Any, kind: type) -> tuple[Any, ...]:
-    """The restraints or the loads of a structure; raises for others, and for two of one name."""
-    every = tuple(given) if isinstance(given, list | tuple) else (given,)
-    remedy = "rk.Anchor(...) or rk.Strap(...)" if kind is Restraint else "rk.Push(...)"
-    for one in every:
-        if not isinstance(one, kind):
-            raise InputTypeError(name, one, what).give(remedy)
-    names = [one.name for one in every]
-    if len(set(names)) < len(names):
-        raise InputError(name, names, what).give("a name= to each, which no other has")
-    return every
+def attach(structure: Any, restraint: type = Restraint) -> None:
+    """Make tuples of the restraints, of a class, and of the loads of a structure.
+
+    Raises InputTypeError for others, and InputError where two have one name.
+    """
+    what, names = type(structure).__name__, Counter[str]()
+    kinds: dict[str, Any] = {"restraint": restraint, "loads": Push}
+    for field_, kind in kinds.items():
+        given = getattr(structure, field_)
+        every: tuple[Any, ...] = tuple(given) if isinstance(given, list | tuple) else (given,)
+        for one in every:
+            if not isinstance(one, kind):
+                raise InputTypeError(field_, one, what).give(_REMEDIES[kind])
+            names.update({one.name, *one.parameters()})
+        object.__setattr__(structure, field_, every)
+        if twice := [name for name, number_ in names.items() if number_ > 1]:
+            raise InputError(field_, twice, what).give("a name= to each, which no other has")
+
+
+_REMEDIES = {
+    Restraint: "rk.Anchor(...) or rk.Strap(...)", Strap: "rk.Strap(...)", Push: "rk.Push(...)",
+}  # fmt: skip
 
 
 def kinds_of(*attached: Attached) -> dict[str, Any]:

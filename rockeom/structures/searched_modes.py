@@ -317,8 +317,7 @@ def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
         return
     free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
     mode = _with_elements(module, free, y, p)
-    guards = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, guards)
+    guards = _guards(module, mode, y, p)
     for name in ties:
         subject = len(module.POINTS) + module.ELEMENTS.index(name)
         own = [i for i, of in enumerate(module.SUBJECTS[mode]) if of == subject]
@@ -393,6 +392,7 @@ def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -
     InputError, too, where a tie that has broken would pull in it.
     """
     number = number_of(module, mode)
+    _check_clocks(module, number, value_of(y), value_of(p))
     for name, i in breaking(module).items():
         if (
             value_of(y)[i] == 1.0
@@ -403,6 +403,27 @@ def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -
                 "mode out"
             )
     return number
+
+
+def _check_clocks(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a push that acts in a mode before it begins, or rests while it acts."""
+    fits = _with_elements(module, module.POINT_STATES[mode], y, p)
+    guards = _guards(module, fits, y, p)
+    for i, name in enumerate(module.ELEMENTS):
+        subject = len(module.POINTS) + i
+        margin = min(
+            g for g, of in zip(guards, module.SUBJECTS[fits], strict=False) if of == subject
+        )
+        differ = module.ELEMENT_STATES[mode][i] != module.ELEMENT_STATES[fits][i]
+        if f"{name}_time" in module.STATES and differ and margin > _ON_TIME:
+            raise InputError("mode", module.MODES[mode], module.NAME).says(
+                f"the mode {module.MODES[mode]!r} contradicts {name}_time = "
+                f"{y[module.STATES.index(f'{name}_time')]:g}: leave the mode out"
+            )
+
+
+_ON_TIME = 1e-9
+"""Time to the start or the end of a push at which both modes fit [s]: rounding."""
 
 
 def mode_under_forces(
@@ -523,6 +544,13 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     return names
 
 
+def _guards(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """Guards of a mode where the ground does not accelerate."""
+    values = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
+    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values)
+    return values
+
+
 def _with_elements(
     module: SearchedModes, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
 ) -> int:
@@ -537,8 +565,7 @@ def _with_elements(
 
     def margin(mode: int, element: int) -> float:
         if mode not in values:
-            values[mode] = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-            for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values[mode])
+            values[mode] = _guards(module, mode, y, p)
         subject = len(module.POINTS) + element
         guards = zip(values[mode], module.SUBJECTS[mode], strict=False)
         return min((g for g, of in guards if of == subject), default=0.0)

@@ -9,7 +9,7 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import StructureWithFields
-from rockeom.structures.restraints import Push, Restraint, checked, kinds_of, parameters_of
+from rockeom.structures.restraints import attach, kinds_of, parameters_of
 
 
 class Support:
@@ -88,30 +88,12 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
 class SupportedStructure(StructureWithFields):
     """A structure that stands on any support."""
 
-    not_numbers = frozenset({"support", "restraint", "loads"})
-    may_be_held: ClassVar[bool] = True
-    """Whether restraints are a part of its derivation."""
+    not_numbers = frozenset({"support"})
     support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
-    restraint: Any = ()
-    loads: Any = ()
 
     def __post_init__(self) -> None:
-        what = type(self).__name__
         mass, inertia = self.of_base()
-        check_support(what, self.support, mass, inertia)
-        for name, kind in {"restraint": Restraint, "loads": Push}.items():
-            object.__setattr__(self, name, checked(what, name, getattr(self, name), kind))
-        if self._attached and not self.may_be_held:
-            raise InputError("restraint").says(
-                f"{what} takes no restraint and no load: take a HeldBlock, a FlexibleStructure or "
-                "a ShearFrame, or declare a model with Tie elements"
-            )
-        if self._attached and getattr(self.support, "kind", "") != "sliding":
-            raise InputError("restraint").says(
-                f"a {what} with restraints or loads stands on feet that may slide: give "
-                "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
-                "that do not"
-            )
+        check_support(type(self).__name__, self.support, mass, inertia)
 
     def of_base(self) -> tuple[float, float]:
         """Mass and inertia of all that moves with the base as one body.
@@ -126,35 +108,68 @@ class SupportedStructure(StructureWithFields):
         raise NotImplementedError
 
     @property
-    def unrestrained(self) -> Structure | None:
-        if getattr(self.support, "kind", "") != "sliding" or not self.may_be_held:
-            return None
-        return dataclasses.replace(self, support=None, restraint=(), loads=())
-
-    @property
-    def _attached(self) -> tuple[Any, ...]:
-        return (*self.restraint, *self.loads)
-
-    @property
     def derivation(self) -> dict[str, Any]:
-        return (dict(self.support.derivation) if self.support else {}) | kinds_of(*self._attached)
+        return dict(self.support.derivation) if self.support else {}
 
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module, of this support."""
-        if not self.support:
-            return super().module
-        return self.support.module(self.model, **kinds_of(*self._attached))
+        return self.support.module(self.model) if self.support else super().module
 
     def parameters(self) -> dict[str, float]:
         own = set(self.defaults())
         support = self.support.parameters() if self.support else {}
         names = (n for n in self.module.PARAMETERS if n in own)
-        own_values = {name: getattr(self, name) for name in names}
-        return own_values | support | parameters_of(*self._attached)
+        return {name: getattr(self, name) for name in names} | support
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         if path[0] == "support" and len(path) == 2:
             name = self.support.called.get(path[1], path[1])
             return name if name in self.module.PARAMETERS else ""
         return super().parameter_at(path)
+
+
+class HeldStructure(SupportedStructure):
+    """A structure that restraints hold and loads push where it stands on feet that may slide."""
+
+    not_numbers = frozenset({"support", "restraint", "loads"})
+    restraint: Any = ()
+    loads: Any = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        attach(self)
+        if self._attached and not self._slides:
+            raise InputError("restraint").says(
+                f"{type(self).__name__} with restraints or loads stands on feet that slide: give "
+                "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
+                "that do not"
+            )
+
+    @property
+    def _attached(self) -> tuple[Any, ...]:
+        return (*self.restraint, *self.loads)
+
+    @property
+    def _slides(self) -> bool:
+        return getattr(self.support, "kind", "") == "sliding"
+
+    @property
+    def unrestrained(self) -> Structure | None:
+        if not self._slides:
+            return None
+        return dataclasses.replace(self, support=None, restraint=(), loads=())
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return super().derivation | kinds_of(*self._attached)
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module, of this support and of what holds it."""
+        if not self._attached:
+            return super().module
+        return self.support.module(self.model, **kinds_of(*self._attached))
+
+    def parameters(self) -> dict[str, float]:
+        return super().parameters() | parameters_of(*self._attached)

@@ -111,6 +111,24 @@ def test_a_push_of_time_has_its_impulse(shape):
     assert run.energy_balance().error < 1e-10
 
 
+@pytest.mark.parametrize("until", [0.1, 0.2, 0.3, 0.5])
+def test_a_push_goes_on_where_a_motion_continues(until):
+    push = rk.Push(at=(0.0, 0.9), force=-90.0, duration=0.3, start=0.2, shape="constant")
+    block = rk.HeldBlock(**(SIZE | {"friction": 0.0}), loads=push)
+    first = rk.simulate(block, rk.GroundMotion.none(until))
+    rest = rk.simulate(block, rk.GroundMotion.none(1.0 - until), initial=first.final)
+    assert rest.final["x_dot"] == pytest.approx(-90.0 * 0.3 / 300.0, rel=1e-9)
+
+
+def test_a_mode_in_which_a_push_acts_before_its_time_is_refused():
+    push = rk.Push(at=(0.0, 0.9), force=-90.0, duration=0.3, start=0.2, shape="constant")
+    block = rk.HeldBlock(**(SIZE | {"friction": 0.0}), loads=push)
+    mode = "both_slides_left_push_acts"
+    said = told(rk.simulate, block, rk.GroundMotion.none(0.1), mode=mode)
+    assert "contradicts push_time = 0: leave the mode out" in said
+    rk.simulate(block, rk.GroundMotion.none(0.1), mode=mode, initial={"push_time": 0.3})
+
+
 def test_a_push_needs_friction_at_the_feet():
     push = rk.Push(at=(0.0, 0.3), force=500.0, duration=0.4, shape="falling")
     run = rk.simulate(rk.HeldBlock(**SIZE, loads=push), rk.GroundMotion.none(1.0))
@@ -138,16 +156,38 @@ def test_a_round_base_rolls_with_the_period_of_its_closed_form():
     assert run.at(period / 2)["theta"] == pytest.approx(-1e-4, rel=1e-6)
 
 
+def centroid_velocity(state):
+    """Of a block whose base has its middle at x, y: velocity (across, up) of the centroid."""
+    c, s = 0.9 * np.cos(state["theta"]), 0.9 * np.sin(state["theta"])
+    return state["x_dot"] + c * state["theta_dot"], state["y_dot"] - s * state["theta_dot"]
+
+
+def corner_speed(state):
+    """Speed of the upper right corner towards the wall."""
+    up = 1.8 * np.cos(state["theta"]) - 0.25 * np.sin(state["theta"])
+    return state["x_dot"] + up * state["theta_dot"]
+
+
 def test_a_block_that_leans_strikes_the_wall_with_its_upper_corner():
     block = rk.HeldBlock(**SIZE, wall_gap=0.1, wall_restitution=0.3)
     start = {"theta": 0.02, "theta_dot": 0.8}
     run = rk.simulate(block, rk.GroundMotion.none(0.3), initial=start, options=FINE)
+    assert not any("beyond the wall" in hint for hint in run.hints)
     first = next(event for event in run.events if event.kind == "landing")
     assert first.contact == "wall"
     theta, x = first.before["theta"], first.before["x"]
     y = first.before["y"]
     assert x + 0.25 * np.cos(theta) + 1.8 * np.sin(theta) == pytest.approx(0.35, abs=1e-9)
     assert y == pytest.approx(0.25 * np.sin(theta), abs=1e-9)
+    # a smooth impulse on a free body: the foot, which it lifts, takes none
+    arm = 0.9 * np.cos(theta) - 0.25 * np.sin(theta)  # height of the corner above the centroid
+    inertia = 300.0 * (0.5**2 + 1.8**2) / 12
+    impulse = 1.3 * corner_speed(first.before) / (1 / 300.0 + arm**2 / inertia)
+    assert corner_speed(first.after) == pytest.approx(-0.3 * corner_speed(first.before))
+    spin = first.before["theta_dot"] - impulse * arm / inertia
+    assert first.after["theta_dot"] == pytest.approx(spin, rel=1e-9)
+    across, up = centroid_velocity(first.before)
+    assert centroid_velocity(first.after) == pytest.approx((across - impulse / 300.0, up))
     # the ground cannot pull: the foot leaves it, and the block is struck as a free body
     mass, inertia = (run.structure.parameters()[name] for name in ("mass", "inertia"))
     arm = 1.8 * np.cos(theta) - 0.25 * np.sin(theta)
@@ -158,3 +198,18 @@ def test_a_block_that_leans_strikes_the_wall_with_its_upper_corner():
     own = first.before["theta_dot"] - impulse * arm / inertia
     assert first.after["theta_dot"] == pytest.approx(own, rel=1e-9)
     assert first.mode_after == "flight"
+
+
+def test_a_lower_corner_beyond_the_wall_is_told():
+    block = rk.HeldBlock(**(SIZE | {"friction": 0.0}), wall_gap=0.05)
+    run = rk.simulate(block, rk.GroundMotion.none(0.07), initial={"x_dot": 1.0, "theta": -0.02})
+    beyond = (run["x"] + 0.25 * np.cos(run["theta"])).max() - 0.3
+    (hint,) = (hint for hint in run.hints if "beyond the wall" in hint)
+    assert f"up to {1e3 * beyond:.3g} mm beyond the wall" in hint
+
+
+def test_a_round_base_that_slides_says_so():
+    block = rk.HeldBlock(**(SIZE | {"friction": 0.05}), base_radius=1.0)
+    run = rk.simulate(block, PULSE)
+    assert run.support.friction_demand == pytest.approx(0.05)
+    assert "It slid for" in run.summary()

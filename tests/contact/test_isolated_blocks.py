@@ -29,33 +29,37 @@ def test_blocks_that_stand_move_with_the_base():
     assert [run.final["u"], run.final["u_dot"]] == pytest.approx(own, rel=1e-6)
 
 
-def test_a_block_rocks_on_its_base_as_newton_and_euler_have_it():
-    """The block turns about its right foot, which moves with the base."""
-    block = isolated(BLOCK)
-    k, c = block.isolator_stiffness, block.isolator_damping
-    inertia = BLOCK.parameters()["inertia"]
+SMALL = rk.RigidBlock(half_width=0.15, half_height=0.6, mass=90.0)
+
+
+@pytest.mark.parametrize("blocks", [(BLOCK,), (BLOCK, SMALL)], ids=["one", "two"])
+def test_blocks_rock_on_their_base_as_newton_and_euler_have_it(blocks):
+    """Each turns about its right foot, which moves with the base."""
+    base, n = isolated(*blocks), len(blocks)
+    k, c = base.isolator_stiffness, base.isolator_damping
+    b, h, m, inertia = np.array(
+        [(x.half_width, x.half_height, x.mass, x.parameters()["inertia"]) for x in blocks]
+    ).T
 
     def rates(t, state):
-        u, theta, v, speed = state
+        u, theta, v, speed = state[0], state[1 : n + 1], state[n + 1], state[n + 2 :]
         cos, sin = np.cos(theta), np.sin(theta)
-        # the centroid from the foot: (-B cos + H sin, B sin + H cos)
-        across, up = -B * cos + H * sin, B * sin + H * cos
+        # the centroid from the foot: (-b cos + h sin, b sin + h cos)
+        across, up = -b * cos + h * sin, b * sin + h * cos
         ground = float(SINE.acceleration(t))
-        mass = np.array([
-            [MASS + BASE, MASS * up],
-            [MASS * up, inertia + MASS * (across**2 + up**2)],
-        ])  # fmt: skip
-        forces = [
-            -k * u - c * v - (MASS + BASE) * ground + MASS * across * speed**2,
-            MASS * G * across - MASS * ground * up,
-        ]
-        return [v, speed, *np.linalg.solve(mass, forces)]
+        mass = np.diag([m.sum() + BASE, *(inertia + m * (across**2 + up**2))])
+        mass[0, 1:] = mass[1:, 0] = m * up
+        pushed = -k * u - c * v - (m.sum() + BASE) * ground + (m * across * speed**2).sum()
+        forces = [pushed, *(m * G * across - m * ground * up)]
+        return [v, *speed, *np.linalg.solve(mass, forces)]
 
-    start, until = {"theta": 0.08, "theta_dot": 0.2, "u_dot": 0.1}, 0.2
-    run = rk.simulate(block, SINE, initial=start, duration=until, options=FINE)
-    own = solve_ivp(rates, (0.0, until), [0.0, 0.08, 0.1, 0.2], rtol=1e-11, atol=1e-13)
-    final = [run.final[name] for name in ("u", "theta", "u_dot", "theta_dot")]
-    assert final == pytest.approx(own.y[:, -1], rel=1e-7)
+    names = ["u", *(["theta"] if n == 1 else ["theta_1", "theta_2"])]
+    names += [f"{name}_dot" for name in names]
+    at_first = dict(zip(names, [0.0, *[0.08, 0.06][:n], 0.1, *[0.2, 0.1][:n]], strict=True))
+    run = rk.simulate(base, SINE, initial=at_first, duration=0.2, options=FINE)
+    assert len(run.events) == 0
+    own = solve_ivp(rates, (0.0, 0.2), [*at_first.values()], rtol=1e-11, atol=1e-13).y[:, -1]
+    assert [run.final[name] for name in names] == pytest.approx(own, rel=1e-7)
 
 
 def test_two_blocks_on_one_base_are_one_where_they_are_alike():
@@ -74,3 +78,10 @@ def test_blocks_that_are_none_are_refused(blocks):
     values = {"base_mass": 1.0, "isolator_stiffness": 1.0, "isolator_damping": 0.0}
     error = told(rk.IsolatedBlocks, blocks=blocks, friction=0.5, **values)
     assert "RigidBlocks" in error
+
+
+def test_gravity_is_that_of_the_blocks():
+    moon = rk.RigidBlock(half_width=B, half_height=H, mass=MASS, gravity=1.62)
+    assert "give that of the blocks, 1.62 m/s2" in told(isolated, moon)
+    with pytest.raises(rk.InputError, match="RigidBlocks"):
+        rk.IsolatedBlocks.from_period(None, base_mass=1.0, period=1.0, damping_ratio=0.1)

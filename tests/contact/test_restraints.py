@@ -116,6 +116,17 @@ def test_a_restrained_structure_comes_back_from_a_file(tmp_path):
     assert (again.structure, again.final) == (block, run.final)
 
 
+def test_derivatives_by_the_strength_are_those_of_differences():
+    def case(strength):
+        block = statue(rk.Strap(**STRAP, strength=strength))
+        start = leaning(0.03, 1.0)
+        return rk.Case(block, rk.GroundMotion.none(0.3), initial=start)
+
+    slope = rk.sensitivity(case(500.0), of=["end theta"], to=["restraint[0].strength"])
+    ends = [rk.simulate(case(500.0 + d), options=FINE).final["theta"] for d in (-0.5, 0.5)]
+    assert slope.derivatives[0, 0] == pytest.approx(ends[1] - ends[0], rel=1e-5)
+
+
 REFUSED = {
     "pinned feet": (rk.LumpedMassStructure, {**SIZE, "restraint": rk.Strap(**STRAP)}, "Sliding("),
     "stacked blocks": (
@@ -125,7 +136,7 @@ REFUSED = {
             "upper_half_height": 0.6, "lower_mass": 9.0, "upper_mass": 9.0, "support": HELD,
             "restraint": rk.Strap(**STRAP),
         },
-        "StackedBlocks takes no restraint",
+        "unknown restraint (rk.HeldBlock and rk.Facade take it, and structures on rk.Sliding",
     ),
     "no restraint": (
         rk.LumpedMassStructure, {**SIZE, "support": HELD, "restraint": [1]}, "give rk.Anchor(...)",
@@ -139,8 +150,28 @@ REFUSED = {
     "a number for a limit": (rk.Strap, {**STRAP, "breaks_at": 3.0}, "give rk.Break(force=...)"),
     "no length": (rk.Strap, {**STRAP, "to": STRAP["at"]}, "another place than that of at"),
     "no place": (rk.Strap, {**STRAP, "to": 1.0}, "give two numbers, x and y"),
-    "a name of two words": (rk.Strap, {**STRAP, "name": "a b"}, "a word of letters"),
+    "a name of two words": (rk.Strap, {**STRAP, "name": "a b"}, "a word of the letters a to z"),
     "hardening without a strength": (rk.Strap, {**STRAP, "hardening": 1.0}, "a finite one"),
+    "a place that is no number": (rk.Strap, {**STRAP, "at": (np.nan, 1.0)}, "it must be finite"),
+    "more pretension than strength": (
+        rk.Strap, {**STRAP, "pretension": 2e3, "strength": 1e3}, "less than the strength, 1000 N",
+    ),
+    "a name that others than English have": (rk.Strap, {**STRAP, "name": "größe"}, "a to z"),
+    "the name of a loss": (rk.Strap, {**STRAP, "name": "impact"}, "give another one"),
+    "names of which one is a part of another": (
+        rk.LumpedMassStructure,
+        {**SIZE, "support": HELD, "restraint": [rk.Strap(**STRAP, name=n) for n in ("a", "a_to")]},
+        "give a name= to each",
+    ),
+    "a push that begins before the motion": (
+        rk.Push, {"at": (0.0, 1.0), "force": 1.0, "duration": 1.0, "start": -0.1}, "start is -0.1",
+    ),
+    "an anchor of a facade": (
+        rk.Facade,
+        {"thickness": 0.6, "height": 6.0, "mass": 7e3,
+         "restraint": rk.Anchor(foot="left", stiffness=1e6)},
+        "give rk.Strap(...)",
+    ),
 }  # fmt: skip
 
 

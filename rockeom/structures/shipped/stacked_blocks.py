@@ -1,7 +1,7 @@
 """Two blocks on one another, of the parameters of each or of two blocks."""
 
 import functools
-from typing import Any, ClassVar
+from typing import Any
 
 from rockeom.codes import POISSON
 from rockeom.integrator.texts import load_text, source
@@ -15,8 +15,6 @@ _OF_A_BLOCK = ("half_width", "half_height", "mass", "inertia")
 
 
 class StackedBlocks(SupportedStructure, declared.StackedBlocks):
-    may_be_held: ClassVar[bool] = False
-
     def __post_init__(self) -> None:
         super().__post_init__()
         check_contact_law("StackedBlocks", self.restitution, "poisson")

@@ -252,7 +252,7 @@ class Tie:
     # -- what ends a state
 
     def endings(self, coordinates: tuple[Coordinate, ...]) -> Mapping[int, tuple[Ending, ...]]:
-        """What a rising elongation ends, what a falling one does, and the break behind them.
+        """Endings by a rising elongation, by a falling one, and by the break behind them.
 
         Each is out of reach where it has broken, but that the slack state stays.
         """

@@ -1,4 +1,4 @@
-"""What acts on a base that slides: anchors at its feet, straps to fixed points, pushes of time."""
+"""Attachments of a base that slides: anchors at its feet, straps to fixed points, and pushes."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -29,7 +29,7 @@ _LIMIT_UNITS = {"force": "N", "extension": "m", "energy": "J"}
 
 
 class Kind(NamedTuple):
-    """What a derivation knows of a tie or a push: its place, its name, and what it can do.
+    """Kind of a tie or a push in a derivation: its place, its name, and its possible states.
 
     breaks : the limit at which it breaks, or empty.
     """

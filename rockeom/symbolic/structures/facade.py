@@ -1,6 +1,7 @@
 """The one-sided facade: it turns about its outer edge, and leans on transverse walls."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -42,7 +43,8 @@ def facade(attached: Sequence[tuple[str, str, bool, str]] = ()) -> Any:
     body = Body(
         "facade", MASS.symbol, centroid, INERTIA.symbol, theta, outline=rectangle(b, HEIGHT.symbol)
     )
-    size = (MASS, HALF_WIDTH, HEIGHT, INERTIA, GRAVITY, RESTITUTION, THRUST, THRUST_HEIGHT)
+    height = replace(HEIGHT, name="centroid_height")
+    size = (MASS, HALF_WIDTH, height, INERTIA, GRAVITY, RESTITUTION, THRUST, THRUST_HEIGHT)
     return Model(
         name="facade",
         title="Facade that turns about one edge",
