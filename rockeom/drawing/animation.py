@@ -7,6 +7,7 @@ import html
 import io
 import math
 import os
+import textwrap
 import uuid
 from functools import cached_property
 from pathlib import Path
@@ -285,7 +286,7 @@ class Animation:
         figure = Figure(figsize=(_WIDTH, height), dpi=_DPI)
         canvas = FigureCanvasAgg(figure)
         ax = figure.add_axes((0.02, _BOTTOM / height, 0.96, tall / height))
-        name = style.wrapped(style.plain(style.title_of(self.run)), 62).split("\n")[0]
+        name = textwrap.shorten(style.plain(style.title_of(self.run)), 62, placeholder=" ...")
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
         figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)

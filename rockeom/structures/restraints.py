@@ -56,7 +56,7 @@ class Restraint:
 
     @property
     def _yields(self) -> bool:
-        return math.isfinite(value_of(self.strength))
+        return bool(value_of(self.strength) < math.inf)
 
     @property
     def limits(self) -> dict[str, float]:

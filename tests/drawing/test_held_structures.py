@@ -10,7 +10,7 @@ from tests.contact.test_held_block import FINE, PULSE, SIZE
 from tests.contact.test_isolated_blocks import BLOCK, isolated
 
 STRAP = {"at": (-0.25, 1.6), "to": (-0.7, 1.6), "stiffness": 1e5, "pretension": 100.0}
-PUTTY = rk.Anchor.pair(stiffness=1e6, breaks_at=rk.Break(force=1e6))
+ANCHORED = rk.HeldBlock(**SIZE, restraint=rk.Anchor.pair(stiffness=1e6))
 ROUND = rk.HeldBlock(**(SIZE | {"height": 0.8}), base_radius=1.0)
 TIED = rk.Facade(**FACADE, restraint=rk.Strap(**TIE))
 TURN = 0.04
@@ -42,7 +42,7 @@ DRAWN = {
     "broken strap": (
         strapped(1e3), {"theta": TURN, "strap_broken": 1.0}, [(AT, AT + GAP), (TO - GAP, TO)]
     ),
-    "anchor": (rk.HeldBlock(**SIZE, restraint=PUTTY), {"theta": TURN}, [(FOOT, (FOOT[0], 0.0))]),
+    "anchor": (ANCHORED, {"theta": TURN}, [(FOOT, (FOOT[0], 0.0))]),
     "facade": (TIED, {"theta": TURN}, [(BEHIND, TIE["to"]), ((-0.3, 0.0), (-0.3, 6.0))]),
     "round base": (ROUND, {"theta": TURN}, [[(S, 0.0)]]),
     "slab and block": (isolated(BLOCK), {"u": 0.1}, [
@@ -70,15 +70,20 @@ def test_arcs_are_drawn_as_polygons_that_stand_on_the_ground(structure):
     assert 0.0 <= face.get_xy()[:, 1].min() < 5e-4
 
 
-@pytest.mark.parametrize(("time", "acts"), [(0.1, False), (0.3, True), (0.6, False)])
-def test_a_push_has_an_arrow_while_it_acts(time, acts):
+@pytest.mark.parametrize(("time", "to_come"), [(0.0, 2.0), (0.3, 1.5), (0.6, 0.0)])
+def test_a_push_has_an_arrow_while_it_acts_and_its_impulse_on_a_slope_without_friction(
+    time, to_come
+):
     push = rk.Push(at=(0.1, 1.2), force=-90.0, duration=0.3, start=0.2)
-    pushed, start = rk.HeldBlock(**SIZE, loads=push), {"push_time": time}
+    pushed = rk.HeldBlock(**(SIZE | {"friction": 0.0}), loads=push)
+    start = {"push_time": time} if time else None
     arrows = draw_structure(pushed, state=start).axes[0].texts
-    assert [(arrow.xy, arrow.xyann[0] > 0.1) for arrow in arrows] == [((0.1, 1.2), True)] * acts
-    run = rk.simulate(pushed, rk.GroundMotion.none(0.5), initial=start)
-    assert run["push_force"][0] == pytest.approx(-90.0 * np.sin(np.pi / 3) * acts)
-    assert run["force_work"][-1] == pytest.approx(-run["push_loss"][-1])
+    wanted = [((0.1, 1.2), True)] * (time == 0.3)
+    assert [(arrow.xy, arrow.xyann[0] > 0.1) for arrow in arrows] == wanted
+    run = rk.simulate(pushed, rk.GroundMotion.none(0.5), initial=start, slope=0.1)
+    speed = 0.5 * 9.81 * np.sin(0.1) - 90.0 * 0.3 / np.pi * to_come / 300.0
+    assert run.final["x_dot"] == pytest.approx(speed)
+    assert run["ground_work"][-1] + run["force_work"][-1] == pytest.approx(150.0 * speed**2)
 
 
 def test_forces_have_no_moment_about_the_contact_of_a_round_base_which_ends_at_its_edge():

@@ -54,7 +54,7 @@ class Unilateral:
 
     @property
     def drawn(self) -> str:
-        """What a sketch shows at its place."""
+        """Kind of its place, which a sketch shows."""
         return "spring_and_damper" if self.damping != 0 else "spring"
 
     @property
