@@ -57,8 +57,7 @@ def _first(
     tried, first = simulated(structure, conditions), Counter[str]()
     for i in motions:
         run = simulate(case_of(tried, conditions.motions[i].scaled_to(pga), conditions))
-        times = {n: r.broke_at for n, r in run.ties.items() if r.broke_at is not None}
-        first[min(times, key=times.__getitem__)] += 1
+        first[next(event.contact for event in run.events if event.kind == "break")] += 1
     return first
 
 

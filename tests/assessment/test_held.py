@@ -48,8 +48,8 @@ def test_tie_that_breaks_first_is_that_of_the_simulations(answer):
     counts, first = [], {name: 0 for name in answer.structure.states if name.endswith("_broken")}
     for pga in PGA:
         runs = [rk.simulate(answer.structure, a, duration=end) for a, end in motions_at(pga)]
-        times = [{n: t.broke_at for n, t in run.ties.items() if t.broke_at} for run in runs]
-        counts.append({name: sum(name in one for one in times) for name in runs[0].ties})
+        times = [{e.contact: e.time for e in run.events if e.kind == "break"} for run in runs]
+        counts.append({tie.name: sum(tie.name in one for one in times) for tie in answer.ties})
         if any(times) and not any(first.values()):
             for one in filter(None, times):
                 first[f"{min(one, key=one.get)}_broken"] += 1
