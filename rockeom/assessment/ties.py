@@ -95,7 +95,8 @@ def strap_trial(
     stiffness, top = force / (STRETCH * height), float(conditions.levels[-1])
     held = strapped(height, stiffness)
     runs = [simulate(case_of(held, one.scaled_to(top), conditions)) for one in conditions.motions]
-    largest = max(tie.largest_force for run in runs for tie in run.ties.values())
+    forces = [f"{one.name}_force" for one in held.restraint]
+    largest = max(one.maximum for run in runs for one in run.extremes_of(forces).values())
     fell = sum(run.outcome == FALLS for run in runs)
     return StrapTrial(stiffness, largest, fell, len(runs))
 
