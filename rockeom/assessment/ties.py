@@ -57,8 +57,7 @@ def _first(
     tried, first = simulated(structure, conditions), Counter[str]()
     for i in motions:
         run = simulate(case_of(tried, conditions.motions[i].scaled_to(pga), conditions))
-        times = {n: r.broke_at for n, r in run.ties.items() if r.broke_at is not None}
-        first[min(times, key=times.__getitem__)] += 1
+        first[next(event.contact for event in run.events if event.kind == "break")] += 1
     return first
 
 
@@ -96,7 +95,8 @@ def strap_trial(
     stiffness, top = force / (STRETCH * height), float(conditions.levels[-1])
     held = strapped(height, stiffness)
     runs = [simulate(case_of(held, one.scaled_to(top), conditions)) for one in conditions.motions]
-    largest = max(tie.largest_force for run in runs for tie in run.ties.values())
+    forces = [f"{one.name}_force" for one in held.restraint]
+    largest = max(one.maximum for run in runs for one in run.extremes_of(forces).values())
     fell = sum(run.outcome == FALLS for run in runs)
     return StrapTrial(stiffness, largest, fell, len(runs))
 

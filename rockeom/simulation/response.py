@@ -28,7 +28,7 @@ from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
-from rockeom.simulation.ties import Samples as OfTie, TieRecord, tie_record
+from rockeom.simulation.ties import YIELDS, Samples as OfTie, TieRecord, states_of, tie_record
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
@@ -380,7 +380,7 @@ class Response:
         return {
             name: tie_record(
                 module, name, self.events.columns, OfTie(self.t, self[f"{name}_force"]), largest,
-                float(self[f"{name}_loss"][-1]),
+                float(self[f"{name}_loss"][-1]) if YIELDS in states_of(module, name) else 0.0,
             )
             for name in names
         }  # fmt: skip

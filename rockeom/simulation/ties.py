@@ -9,8 +9,8 @@ from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes
 from rockeom.structures.searched_modes import breaking
 
-SLACK = -1
-"""State of a tie that does not pull."""
+SLACK, YIELDS = -1, 1
+"""States of a tie that does not pull, and of one that yields."""
 
 
 class TieRecord(NamedTuple):
@@ -55,6 +55,12 @@ class Samples(NamedTuple):
     force: np.ndarray
 
 
+def states_of(module: GeneratedModule, name: str) -> np.ndarray:
+    """State of a tie in each mode (n,)."""
+    of = cast(SearchedModes, module)
+    return np.array(of.ELEMENT_STATES)[:, of.ELEMENTS.index(name)]
+
+
 def tie_record(
     module: GeneratedModule,
     name: str,
@@ -65,7 +71,7 @@ def tie_record(
 ) -> TieRecord:
     """The record of a tie. events : of the motion; largest : of its force and its elongation."""
     of = cast(SearchedModes, module)
-    states = np.array(of.ELEMENT_STATES)[:, of.ELEMENTS.index(name)]
+    states = states_of(module, name)
     before, after = states[events.kinds[:, 1]], states[events.kinds[:, 2]]
     own = before != after
     tightens, slackens = (events.times[own & (state == SLACK)] for state in (before, after))
