@@ -231,8 +231,12 @@ def bars(spans: np.ndarray) -> list[tuple[float, float]]:
 
 
 def full_contact(run: Response) -> np.ndarray:
-    """Starts and ends (k, 2) of the times in which each contact is closed."""
-    return spans_in(run, np.all([states > 0 for states in contacts(run).values()], axis=0))
+    """Starts and ends (k, 2) of the times in which each contact is closed, but for walls."""
+    m = run.structure.module
+    kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
+    closed = {name: states > 0 for name, states in contacts(run).items()}
+    feet = [one for name, one in closed.items() if "wall" not in kinds.get(name, "")]
+    return spans_in(run, np.all(feet or [*closed.values()], axis=0))
 
 
 def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:

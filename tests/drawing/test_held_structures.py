@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.drawing.style import full_contact
 from rockeom.plots import animate, draw_structure
 from tests.contact.test_facade import SIZE as FACADE, TIE
 from tests.contact.test_held_block import FINE, PULSE, SIZE
@@ -91,6 +92,11 @@ def test_forces_have_no_moment_about_the_contact_of_a_round_base_which_ends_at_i
     assert abs(run["overturning_moment"]).max() < 1e-6 * 300.0 * 9.81 * 0.4
     over = rk.simulate(ROUND, PULSE, initial={"theta": 0.24, "theta_dot": 0.5})
     assert (over.outcome, over.final["theta"]) == ("overturned", pytest.approx(np.arcsin(0.25)))
+
+
+def test_a_block_stands_in_full_contact_away_from_a_wall():
+    run = rk.simulate(rk.HeldBlock(**SIZE, wall_gap=0.1), rk.GroundMotion.none(0.5))
+    assert full_contact(run).tolist() == [[0.0, 0.5]]
 
 
 def test_a_film_shows_the_strap_until_it_breaks_and_its_force():
