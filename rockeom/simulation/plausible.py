@@ -4,10 +4,12 @@ Each function returns the sentences of one question, none where the values are p
 """
 
 import math
+from typing import cast
 
 import numpy as np
 
 from rockeom.codes import UPLIFT
+from rockeom.integrator.schema import SearchedModes
 from rockeom.motion import GroundMotion
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.events import EventColumns, Impacts
@@ -17,7 +19,7 @@ from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.evaluation import at_states
 from rockeom.structures.impact_laws import Impulsive
 from rockeom.structures.positions import places, positions_of
-from rockeom.structures.searched_modes import friction_of
+from rockeom.structures.searched_modes import Points, friction_of
 from rockeom.structures.slope import overturning_angles, uplift_accelerations
 from rockeom.structures.units import is_dimensionless
 
@@ -135,17 +137,25 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
 
 
 def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
-    """Ground on which the structure cannot stand, or on which its feet slide."""
-    if not slope:
+    """Ground on which the structure cannot stand, or on which its feet slide.
+
+    Nothing is said of one that ties hold.
+    """
+    held = getattr(structure, "restraint", None)
+    if not slope or held:
         return ()
-    said = []
-    uplifts, alpha = uplift_accelerations(structure, slope), structure.slenderness or math.inf
+    said, bare = [], structure.unrestrained or structure
+    uplifts, alpha = uplift_accelerations(bare, slope), structure.slenderness or math.inf
     if min(uplifts) <= 0.0 if uplifts else structure.has_landings and abs(slope) >= alpha:
         said.append("turns downhill about its edge without any shaking")
     friction, least = math.inf, abs(math.tan(slope))
     if structure.has_landings:
-        each = friction_of(structure.module, structure.vector)
-        friction = min(each[[*points]].max() for points in surfaces(structure.module).values())
+        module = cast(SearchedModes, structure.module)
+        each = friction_of(module, structure.vector)
+        points = Points(module, structure.state({}), structure.vector)
+        slides = points.contacts().closed.astype(bool) & points.tangential.any(axis=-1)
+        groups = [[i for i in of if slides[i]] for of in surfaces(module).values()]
+        friction = min((each[of].max() for of in groups if of), default=math.inf)
     if friction < least:
         said.append(
             f"slides downhill, since its friction, {friction:.4g}, is below {least:.4g}, the "

@@ -45,6 +45,10 @@ class Restraint:
                 "rk.Break(force=...), rk.Break(extension=...) or rk.Break(energy=...)"
             )
         check_values(what, self.limits)
+        if value_of(self.limits.get("extension", math.inf)) <= value_of(self.slack_length):
+            raise InputError("breaks_at", self.limits["extension"], what).give(
+                f"an extension of more than slack_length, {self.slack_length:g} m, a part of it"
+            )
         if value_of(self.pretension) > value_of(self.strength):
             raise InputError("pretension", self.pretension, what).give(
                 f"less than the strength, {self.strength:g} N"

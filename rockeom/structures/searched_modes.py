@@ -316,18 +316,29 @@ def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
     if not ties:
         return
     free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
-    mode = _with_elements(module, free, y, p)
-    guards = _guards(module, mode, y, p)
-    for name in ties:
-        subject = len(module.POINTS) + module.ELEMENTS.index(name)
-        own = [i for i, of in enumerate(module.SUBJECTS[mode]) if of == subject]
-        if guards[own[-1]] < 0.0:  # the break stands behind its other endings
+    _, elastic = _by_elements(module, free)
+    for name, i in ties.items():
+        mode = elastic[module.ELEMENTS.index(name)][0]
+        guards, upright = (_guards(module, mode, state, p) for state in (y, np.zeros(len(y))))
+        beyond = np.flatnonzero((guards < -_AT_LIMIT * np.abs(upright))[: module.GUARDS[mode]])
+        if y[i] == 0.0 and any(_after(module, mode, guard, y, p)[i] for guard in beyond.tolist()):
             raise InputError(f"{name}_broken", 0, module.NAME).says(
                 f"{name} is whole in this state, and beyond the limit at which it breaks: give "
                 f"{name}_broken=1, or another state"
             )
 
 
+def _after(
+    module: SearchedModes, mode: int, guard: int, y: np.ndarray, p: np.ndarray
+) -> np.ndarray:
+    """The state after an event of an element."""
+    after = y.copy()
+    module.jump(mode, guard, 0, 0.0, y, p, after)
+    return after
+
+
+_AT_LIMIT = 1e-9
+"""Relative: a state just before a break may be beyond the limit by the rounding of its event."""
 _BEYOND = 1e-4
 """Relative: an extension is integrated while it grows, to the tolerance of a motion."""
 _DRAWN = 1.0 + 4e-13

@@ -151,6 +151,10 @@ REFUSED = {
     "no length": (rk.Strap, {**STRAP, "to": STRAP["at"]}, "another place than that of at"),
     "no place": (rk.Strap, {**STRAP, "to": 1.0}, "give two numbers, x and y"),
     "a name of two words": (rk.Strap, {**STRAP, "name": "a b"}, "a word of the letters a to z"),
+    "broken before it pulls": (
+        rk.Strap, {**STRAP, "slack_length": 0.1, "breaks_at": rk.Break(extension=0.1)},
+        "more than slack_length, 0.1 m",
+    ),
     "hardening without a strength": (rk.Strap, {**STRAP, "hardening": 1.0}, "a finite one"),
     "a place that is no number": (rk.Strap, {**STRAP, "at": (np.nan, 1.0)}, "it must be finite"),
     "more pretension than strength": (

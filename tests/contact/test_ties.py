@@ -118,6 +118,10 @@ def test_a_tie_breaks_where_its_closed_form_has_it(name):
     assert record.tightenings == drawn
     assert record.snatch_force == pytest.approx(drawn * record.largest_force)
     assert record.dissipated == run["tie_loss"][-1]
+    # the state before the break is at the limit but for rounding: it breaks at once
+    again = run_of(limit, value, 1.0 - times[-1], run.events[-1].before, **tie)
+    assert (again.events[-1].kind, again.events[-1].time) == ("break", pytest.approx(0.0, abs=1e-8))
+    assert again.final["x"] == pytest.approx(run.final["x"], rel=1e-9)
 
 
 @pytest.mark.parametrize("until", [0.03, 0.5])
@@ -141,14 +145,26 @@ def test_break_is_kept_by_pickles_and_sweeps():
     assert broken == [0.0, 1.0, 1.0]
 
 
-def test_derivatives_pass_through_a_break():
-    of = case("force", 3.0, 1.0)
-    answers = ["event 1 time", "end x", "end x_dot"]
-    slopes = rk.sensitivity(of, of=answers, to=["limit"]).derivatives[:, 0]
-    step = 1e-5
-    runs = [run_of("force", 3.0 + sign * step, 1.0) for sign in (-1, 1)]
-    ends = [(r.events[0].time, r.final["x"], r.final["x_dot"]) for r in runs]
-    np.testing.assert_allclose(slopes, np.subtract(ends[1], ends[0]) / (2 * step), rtol=1e-6)
+@pytest.mark.parametrize("name", BREAKS)
+def test_derivatives_pass_through_a_break(name):
+    limit, value, tie, times, *_ = BREAKS[name]
+    answers = [f"event {len(times)} time", "end x", "end x_dot"]
+    of = case(limit, value, 1.0, **tie)
+    slopes = rk.sensitivity(of, of=answers, to=["limit"], options=FINE).derivatives[:, 0]
+    step = 1e-4 * value
+    runs = [run_of(limit, value + k * step, 1.0, **tie) for k in (-2, -1, 1, 2)]
+    ends = [np.array([r.events[-1].time, r.final["x"], r.final["x_dot"]]) for r in runs]
+    central = (ends[0] - 8 * ends[1] + 8 * ends[2] - ends[3]) / (12 * step)
+    np.testing.assert_allclose(slopes, central, rtol=1e-6)
+
+
+@pytest.mark.parametrize("part", [1.0, 1.0 - 1e-12, 1.0 - 1e-9])
+def test_a_break_that_is_just_reached_has_no_derivatives_and_says_so(part):
+    of = case("force", part * V * np.sqrt(K * M), 1.0)  # of the force where the mass turns back
+    assert [event.kind for event in rk.simulate(of, options=FINE).events] == ["break"]
+    slopes = rk.sensitivity(of, of=["end x"], to=["limit"], options=FINE)
+    assert np.isnan(slopes.derivatives).all()
+    assert "flight to tie_slack, grazes: its guard falls so slowly" in str(slopes)
 
 
 def test_a_tie_without_a_strength_has_two_states_and_no_variable_of_its_own():
@@ -182,6 +198,8 @@ def test_a_damper_breaks_at_the_end_of_its_stroke(speed):
     assert [e.kind for e in run.events] == ["break"]
     assert run.events.times == pytest.approx([TO_END], abs=1e-8)
     assert run["x_dot"][-1] == pytest.approx(np.sign(speed) * AT_END, rel=1e-9)
+    beyond = {"y": 100.0, "x": 1.01 * np.sign(speed) * STROKE}
+    assert "beyond the limit" in told(rk.simulate, replace(of, initial=beyond))
     assert run["damper_loss"][-1] == pytest.approx(0.5 * M * (V**2 - AT_END**2), rel=1e-9)
     assert run.energy_balance().breaks == 0.0
 
