@@ -693,6 +693,8 @@ def _practical(kind: str) -> Callable[[Dice], Drawn]:
             size["base_radius"] = own["radius"] = b * dice.over(1.0, 10.0)
             feet = (Foot("base", 0.0, 0.0, mu, e),)
             initial.pop("y", None)
+            edge = 0.9 * math.asin(b / own["radius"])  # of the round base: the motion ends there
+            initial["theta"] = max(-edge, min(edge, initial.get("theta", 0.0)))
         elif kind == "wall":
             gap, bounces = h * dice.over(1e-3, 0.3), _restitution(dice)
             size |= {"wall_gap": gap, "wall_restitution": bounces}
