@@ -133,6 +133,19 @@ def test_a_motion_continues_from_its_final_state_whole_or_broken(until):
         assert rest.final[name] == pytest.approx(value, rel=1e-9, abs=1e-9)
 
 
+def test_a_broken_strap_of_a_bouncing_block_stays_broken_to_the_last_bit():
+    strap = rk.Strap(at=(-0.2, 1.1), to=(-0.6, 1.1), stiffness=1e5, breaks_at=rk.Break(force=500.0))
+    block = rk.HeldBlock(
+        width=0.4, height=1.2, mass=60.0, friction=0.45, restitution=0.9, restraint=strap
+    )
+    start, loose = {"theta": 0.1, "strap_broken": 1.0}, rk.SolverOptions("RK45", rtol=1e-6)
+    run = rk.simulate(block, rk.GroundMotion.none(3.0), initial=start, options=loose)
+    assert len(run.events) > 300
+    assert {e.after["strap_broken"] for e in run.events} == {1.0}
+    quiet = rk.GroundMotion.none(0.1)
+    assert rk.simulate(block, quiet, initial=run.final).final["strap_broken"] == 1.0
+
+
 def test_break_is_kept_by_pickles_and_sweeps():
     of = case("force", 3.0, 1.0)
     run = pickle.loads(pickle.dumps(rk.simulate(of)))

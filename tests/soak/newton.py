@@ -350,6 +350,8 @@ def snapped(r: Told) -> Found:
     for one, other in zip(before, after, strict=True):
         if one.tie is None:
             return
+        if not np.isin([one.broken, other.broken], (0.0, 1.0)).all():
+            yield f"break: {one.name} is neither whole nor broken at an event"
         breaks = np.flatnonzero(other.broken != one.broken)
         if len(breaks) > 1:
             yield f"break: {one.name} breaks {len(breaks)} times"
