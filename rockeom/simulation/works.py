@@ -105,7 +105,10 @@ class Works:
         lost = np.zeros(n + 1)
         seams = np.flatnonzero(np.isin(starts[1:], times)) + 1
         lost[seams] = self.last[seams - 1] - self.first[seams]
-        self.end = self.last[-1]
+        self.begin, self.end = self.first[0], self.last[-1]
+        if len(times) and times[0] <= starts[0]:  # an impact at once, which no step is before
+            self.begin = self._energy(states[:1, 0], kinds[:1, 1])[0]
+            lost[0] = self.begin - self.first[0]
         if len(times) and times[-1] >= ends[-1]:
             self.end = self._energy(states[-1:, 1], kinds[-1:, 2])[0]
             lost[n] = self.last[-1] - self.end
@@ -212,7 +215,7 @@ class Works:
     def balance(self) -> EnergyBalance:
         """Works and losses of the whole motion."""
         ground, damping, force, friction = self.table[-1, :4].tolist()
-        impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
+        impacts, gained = float(self.impacts[-1]), float(self.end - self.begin)
         breaks = float(self.breaks[:, -1].sum())
         lost = damping - force
         left = ground - lost - friction - impacts - breaks - gained
