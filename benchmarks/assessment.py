@@ -170,7 +170,7 @@ def printed(
             "fraction", truth.fractions[i],
             Estimate(0.0, *proportion_interval_by_group(rows[:, i], recordings, LEVEL)),
         )  # fmt: skip
-    trials = (Trials(one, np.ones_like(one), (), None, "", {}, {}) for one in (rows, other))
+    trials = (Trials(one, np.ones_like(one), (), None, "", {}, {}, {}) for one in (rows, other))
     gain = paired_gain(*trials, recordings, LEVEL)
     if gain is not None:
         yield "gain", truth.gain, gain

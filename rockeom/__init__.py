@@ -27,7 +27,12 @@ _NAMES_OF = {
     "rockeom.browser.controls": ("Slider",),
     "rockeom.browser.lesson": ("Question",),
     "rockeom.browser.page": ("Explorer", "explorer"),
+    "rockeom.numbers.breaks": ("Break",),
+    "rockeom.structures.restraints": ("Anchor", "Push", "Strap"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.modelling.facade": ("Facade",),
+    "rockeom.modelling.held_block": ("HeldBlock",),
+    "rockeom.modelling.isolated": ("IsolatedBlocks",),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
@@ -131,6 +136,9 @@ if TYPE_CHECKING:
         TwoSprings as TwoSprings,
         Winkler as Winkler,
     )
+    from rockeom.modelling.facade import Facade as Facade
+    from rockeom.modelling.held_block import HeldBlock as HeldBlock
+    from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (
@@ -140,6 +148,7 @@ if TYPE_CHECKING:
         Recording as Recording,
     )
     from rockeom.motion.floor import floor_motion as floor_motion
+    from rockeom.numbers.breaks import Break as Break
     from rockeom.numbers.checks import InputError as InputError
     from rockeom.numbers.dual import Dual as Dual, duals as duals
     from rockeom.simulation.case import Case as Case
@@ -161,6 +170,7 @@ if TYPE_CHECKING:
         VelocityRatio as VelocityRatio,
     )
     from rockeom.structures.modal import rayleigh_damping as rayleigh_damping
+    from rockeom.structures.restraints import Anchor as Anchor, Push as Push, Strap as Strap
     from rockeom.sweeps.dataset import Sweep as Sweep
     from rockeom.sweeps.options import SweepOptions as SweepOptions
     from rockeom.sweeps.run import simulate_many as simulate_many

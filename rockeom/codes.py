@@ -96,3 +96,7 @@ AT_THE_START.flags.writeable = False
 # and of `clock`: time, the next step (0: unknown), the error of the last step (0: of none), the end
 # of the segment whose equal steps are refined (0: of none)
 TIME, NEXT_STEP, LAST_ERROR, REFINED_TO = range(4)
+
+WITH_CONSTANT = 4.0
+"""Added to the kind of a segment that is a sine or a wavelet plus a constant acceleration, its last
+constant: such rows have programs on ground that slopes, and no motion."""

@@ -46,11 +46,7 @@ def size_of(derivative: np.ndarray) -> float:
 
 
 def run(case: rk.Case, options: rk.SolverOptions = TIGHT) -> rk.Response:
-    c = case
-    return rk.simulate(
-        c.structure, c.motion, impact=c.impact, initial=c.initial, duration=c.duration,
-        vertical=c.vertical, mode=c.mode, options=options,
-    )  # fmt: skip
+    return rk.simulate(case, options=options)
 
 
 def observed(response: rk.Response, times: np.ndarray) -> Observed:

@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 62_394, "tests": 48_221, "generated": 14_265, "/.": 298, "/analysis": 7_499,
-    "/assessment": 1_048, "/browser": 3_561, "/cli": 2_520, "/codegen": 2_168, "/compiler": 2_134,
-    "/drawing": 1_384, "/exports": 1_741, "/generated": 56, "/integrator": 7_028,
-    "/modelling": 549, "/motion": 4_643, "/numbers": 929, "/plots": 1_170, "/simulation": 2_178,
-    "/structures": 3_546, "/sweeps": 2_055, "/symbolic": 7_933, "/teaching": 39,
+    "rockeom": 65_047, "tests": 49_896, "generated": 14_265, "/.": 311, "/analysis": 7_835,
+    "/assessment": 1_323, "/browser": 3_607, "/cli": 2_534, "/codegen": 2_182, "/compiler": 2_135,
+    "/drawing": 1_462, "/exports": 1_749, "/generated": 56, "/integrator": 7_037,
+    "/modelling": 817, "/motion": 4_820, "/numbers": 949, "/plots": 1_174, "/simulation": 2_422,
+    "/structures": 3_963, "/sweeps": 2_068, "/symbolic": 8_650, "/teaching": 39,
     "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
@@ -250,7 +250,7 @@ def figures() -> list[Figure]:
         Figure("longest function", max(f.lines for f in every), 66),
         Figure("functions over 60 lines", sum(f.lines > 60 for f in every), 1),
         Figure("most arguments", max(f.arguments for f in every), 12),
-        Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 2),
+        Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 3),
         Figure("highest cyclomatic number", max(f.branches for f in every), 30),
         Figure("circles of files at run time", len(at_run_time), 0),
         Figure("files in them", sum(map(len, at_run_time)), 0),
@@ -260,9 +260,9 @@ def figures() -> list[Figure]:
         Figure("engine flag in the loop", count("N_POINTS", lambda p: p.endswith("loop.py")), 0),
         Figure("questions for points", count(r"has_points\(|stands_on_points"), 6),
         Figure("modules at the root", folders["."], 4),
-        Figure("files of a folder", max(folders.values()), 20),
+        Figure("files of a folder", max(folders.values()), 21),
         Figure("names of analysis", public_names("rockeom.analysis"), 11),
-        Figure("members of Response", members(of, "Response"), 35),
+        Figure("members of Response", members(of, "Response"), 38),
         Figure("lines of code of a file", max(code_lines(s.text) for s in of), 647),
         Figure("names found, known, given", vague_names(of), 1103),
         Figure("texts that are run", count(r"\bexec\("), 3),

@@ -16,6 +16,7 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -137,22 +138,36 @@ class Strut:
 
 @dataclass(frozen=True)
 class Bar:
-    """A bar whose elongation is the height of a place: elastic, and yielding to both sides.
+    """A bar that yields to both sides; or a tie, which carries no compression and may break.
 
-    extension (k,) : its permanent one. The force is stiffness (elongation - extension).
+    drawn (k,), row (k, n) : its elongation, and the derivatives by the coordinates. extension (k,)
+    : the permanent one. tie : a `Strap` or an `Anchor`, for its numbers. broken (k,) : 0 or 1.
     """
 
     name: str
-    place: Place
+    drawn: np.ndarray
+    row: np.ndarray
     extension: np.ndarray
     stiffness: float
     strength: float
     hardening: float
+    tie: Any = None
+    broken: np.ndarray | float = 0.0
+
+    @property
+    def tension(self) -> np.ndarray:
+        """(k,) while it is whole; what is negative a tie does not carry."""
+        tension = self.stiffness * (self.drawn - self.extension)
+        if self.tie is None:
+            return tension
+        return tension + self.tie.pretension - self.stiffness * self.tie.slack_length
 
     @property
     def force(self) -> np.ndarray:
         """(k,) in tension."""
-        return self.stiffness * (self.place.value[:, 1] - self.extension)
+        if self.tie is None:
+            return self.tension
+        return np.maximum(self.tension, 0.0) * (1.0 - self.broken)
 
 
 @dataclass(frozen=True)
@@ -222,7 +237,7 @@ class At:
             self.weight += body.mass * j
             self.potential += of.gravity * body.mass * body.centre.value[:, 1]
         for bar in parts.bars:
-            self.elastic -= bar.force[:, None] * bar.place.jacobian[:, 1]
+            self.elastic -= bar.force[:, None] * bar.row
             self.potential += 0.5 * bar.force**2 / bar.stiffness
         for place, force in parts.loads:
             self.elastic += np.einsum("kin,ki->kn", place.jacobian, force)
@@ -517,6 +532,12 @@ class Foot:
     restitution: float
 
 
+def two_feet(b: float, friction: float, restitution: float) -> tuple[Foot, Foot]:
+    """Feet at the ends of a base of half the width b."""
+    laws = friction, restitution
+    return Foot("left", -b, 0.0, *laws), Foot("right", b, 0.0, *laws)
+
+
 @dataclass(frozen=True)
 class BlockOnFeet(Mechanics):
     """A rigid body on any number of feet; x, y of its base's centre and theta."""
@@ -531,13 +552,25 @@ class BlockOnFeet(Mechanics):
     """Name, place along the base, stiffness, strength and hardening."""
     load: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """Force that presses on a point of the axis [N], how far above the base, and 1 if it turns."""
+    ties: tuple[Any, ...] = ()
+    """Straps and anchors, for their numbers."""
+    pushes: tuple[Any, ...] = ()
+    """Pushes of half a sine, likewise."""
+    radius: float = 0.0
+    """Of the arcs on which the feet roll: they are their lowest points when it stands."""
+    offset: float = 0.0
+    """Place of the centroid along the base."""
+    pivot: float | None = None
+    """Place along the base of an edge that is held."""
+    isolator: tuple[float, float, float] | None = None
+    """Mass of a base that moves by u, on a spring and a damper: their constants."""
     internal: tuple[str, ...] = ()
     gravity: float = 9.81
     coordinates: tuple[str, ...] = ("x", "y", "theta")
 
     @property
     def size(self) -> float:  # type: ignore[override]
-        return math.hypot(self.height, max(abs(f.along) for f in self.feet))
+        return self.radius + math.hypot(self.height, max(abs(f.along) for f in self.feet))
 
     def lowest(self, theta: float) -> float:
         """The height of the base's centre at which the lowest foot touches."""
@@ -545,27 +578,71 @@ class BlockOnFeet(Mechanics):
         return max(f.along * s - f.across * c for f in self.feet)
 
     def parts(self, states: States) -> Parts:
-        base, theta = states.origin("x", "y"), states.turn(theta=1.0)
-        centre = states.carried(base, theta, 0.0, self.height)
+        start, theta = self.pivot or 0.0, states.turn(theta=1.0)
+        seen = states.origin(*(("x", "y") if self.pivot is None else ()))
+        base = seen = replace(seen, value=seen.value + np.array([start, 0.0]))
+        if self.isolator:
+            moves = states.origin("u")
+            base = replace(
+                seen, value=seen.value + moves.value, jacobian=seen.jacobian + moves.jacobian
+            )
+
+        def carried(along: float, across: float, origin: Place = base) -> Place:
+            return states.carried(origin, theta, along - start, across)
+
         points = [
-            Point(f.name, states.carried(base, theta, f.along, f.across), f.friction,
-                  f.restitution, 0)
+            Point(f.name, self._rolled(states, carried(f.along, f.across + self.radius, seen)),
+                  f.friction, f.restitution, 0)
             for f in self.feet
         ]  # fmt: skip
-        struts = [
-            Strut(name, states.carried(base, theta, along, across), k, c)
-            for name, along, across, k, c in self.pads
-        ]
-        bars = [
-            Bar(name, states.carried(base, theta, along, 0.0),
-                states.internal[f"{name}_extension"], k, strength, hardening)
-            for name, along, k, strength, hardening in self.bars
-        ]  # fmt: skip
+        struts = [Strut(name, carried(along, across), k, c)
+                  for name, along, across, k, c in self.pads]  # fmt: skip
+        bars = []
+        for name, along, *numbers in self.bars:
+            end = carried(along, 0.0)
+            extension = states.internal[f"{name}_extension"]
+            bars.append(Bar(name, end.value[:, 1], end.jacobian[:, 1], extension, *numbers))
+        feet = {f.name: (f.along, f.across) for f in self.feet}
+        for tie in self.ties:
+            at = tie.at if hasattr(tie, "at") else feet[tie.foot]
+            bars.append(tied(tie, carried(*at), states.internal))
         force, across, turns = self.load
         _, down = _axes(*(f(turns * states.q @ theta) for f in (np.cos, np.sin)))
-        loads = [(states.carried(base, theta, 0.0, across), -force * down)]
-        mass = Mass(self.mass, self.inertia, centre, theta)
-        return Parts([mass], points, struts, bars, loads=loads)
+        loads = [(carried(0.0, across), -force * down)]
+        for push in self.pushes:
+            part = np.clip((states.internal["push_time"] - push.start) / push.duration, 0.0, 1.0)
+            size = push.force * np.sin(math.pi * part)
+            loads.append((carried(*push.at), np.stack([size, 0.0 * size], axis=1)))
+        masses = [Mass(self.mass, self.inertia, carried(self.offset, self.height), theta)]
+        if not self.isolator:
+            return Parts(masses, points, struts, bars, loads=loads)
+        mass, stiffness, damping = self.isolator
+        masses.append(Mass(mass, 0.0, moves, 0.0 * theta))
+        u, rate = (of @ states.turn(u=1.0) for of in (states.q, states.v))
+        pulls = np.outer(stiffness * u + damping * rate, states.turn(u=1.0))
+        return Parts(masses, points, elastic=-pulls, stored=0.5 * stiffness * u**2)
+
+    def _rolled(self, states: States, arc: Place) -> Place:
+        """The lowest point of an arc, from its centre."""
+        theta, jacobian = states.turn(theta=1.0), arc.jacobian.copy()
+        jacobian[:, 0] -= self.radius * theta
+        down = self.radius * np.stack([states.q @ theta, np.ones(len(states.q))], axis=1)
+        return Place(arc.value - down, jacobian, arc.bias)
+
+
+def tied(tie: Any, end: Place, internal: Mapping[str, np.ndarray]) -> Bar:
+    """A strap from a place to its fixed end, or an anchor below the place."""
+    drawn, row = end.value[:, 1], end.jacobian[:, 1]
+    if hasattr(tie, "to"):
+        apart = end.value - tie.to
+        length = np.hypot(*apart.T)
+        drawn = length - math.dist(tie.at, tie.to)
+        row = np.einsum("ki,kin->kn", apart / length[:, None], end.jacobian)
+    extension, broken = (
+        internal.get(f"{tie.name}_{name}", np.zeros(len(drawn))) for name in ("extension", "broken")
+    )
+    numbers = tie.stiffness, tie.strength, tie.hardening
+    return Bar(tie.name, drawn, row, extension, *numbers, tie, broken)
 
 
 @dataclass(frozen=True)
@@ -746,11 +823,7 @@ def _rectangle(mass: float, b: float, h: float) -> float:
 
 def of_sliding_block(given: Mapping[str, float]) -> BlockOnFeet:
     b, h = given["half_width"], given["half_height"]
-    feet = tuple(
-        Foot(name, s * b, 0.0, given["friction"], given["restitution"])
-        for name, s in (("left", -1), ("right", 1))
-    )
-    mass = given.get("mass", 1.0)
+    mass, feet = given.get("mass", 1.0), two_feet(b, given["friction"], given["restitution"])
     return BlockOnFeet(mass, _rectangle(mass, b, h), h, feet)
 
 

@@ -27,6 +27,7 @@ PUBLIC = (
     "rockeom.analysis.formulas",
     "rockeom.analysis.identification",
     "rockeom.analysis.risk",
+    "rockeom.analysis.standards",
     "rockeom.drawing",
     "rockeom.exports",
     "rockeom.modelling",

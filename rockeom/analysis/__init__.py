@@ -7,8 +7,8 @@
     analysis.response_spectrum(motion, periods=[0.2, 0.5, 1.0])
     analysis.formulas.energy_ratio_of_block(alpha=[0.1, 0.2, 0.3])
 
-The names used most are attributes of the package. All names are in six groups: `formulas`,
-`design`, `dynamics`, `identification`, `risk` and `validation`.
+The names used most are attributes of the package. All names are in seven groups: `formulas`,
+`design`, `dynamics`, `identification`, `risk`, `standards` and `validation`.
 
 Quantities are in SI units and radians. "Thesis" numbers are the equations of Ma (2010), which
 `rockeom.thesis` checks.
@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getatt
         formulas as formulas,
         identification as identification,
         risk as risk,
+        standards as standards,
         validation as validation,
     )
     from rockeom.analysis.design.isolation import (
@@ -43,7 +44,7 @@ if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getatt
     from rockeom.analysis.risk.fragility import fragility_of as fragility_of
     from rockeom.analysis.sweeps import outcome_labels as outcome_labels, peaks_of as peaks_of
 
-_GROUPS = ("formulas", "design", "dynamics", "identification", "risk", "validation")
+_GROUPS = ("formulas", "design", "dynamics", "identification", "risk", "standards", "validation")
 _HOME_OF = {
     "MeasuredRecord": "identification.records",
     "Wall": "formulas.controlled_wall",

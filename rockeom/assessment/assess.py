@@ -16,16 +16,19 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.assessment.comparison import Checks, checks_at
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
-from rockeom.assessment.trials import Conditions, as_recorded, scaled
+from rockeom.assessment.ties import tie_answers
+from rockeom.assessment.trials import Conditions, as_recorded, own_friction, scaled
 from rockeom.motion import GroundMotion
 from rockeom.motion.components import split
 from rockeom.motion.ground_motion import every_component
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
+from rockeom.motion.slope import slope_angle
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, not_negative, positive, require
@@ -48,6 +51,8 @@ def assess(
     impact: ImpactLaw | None = None,
     level: float = 0.95,
     units_checked: bool = False,
+    checks: Checks | None = None,
+    slope: float | str = 0.0,
 ) -> Assessment:
     """Assess whether a structure overturns: a verdict in words, with the numbers behind it and a
     page.
@@ -77,6 +82,12 @@ def assess(
     units_checked : bool, optional
         Whether there is a verdict though lengths, gravity or intensities look as if in another
         unit; the `questions` of the result say which.
+    checks : callable, optional
+        Function of the PGA [m/s2] that returns checks of codes, as those of `analysis.standards`;
+        the answer and its page show them next to the motions of the records at each PGA.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg" or "1 in 20"; the records act
+        along it and normal to it, in both directions.
 
     Returns
     -------
@@ -129,9 +140,20 @@ def assess(
     require(0.0 < level < 1.0, "assess", "level", level, "it lies between 0 and 1, as 0.95")
     if friction is not None:
         not_negative("assess", friction=friction)
-    statics = statics_of(structure)
+    own = own_friction(structure)
+    if own is not None and friction not in (None, own):
+        raise InputError("friction", friction, "assess").wrong(
+            f"is {friction:g}, and {own:g} in the structure: leave it out"
+        )
+    friction = own if friction is None else friction
+    angle = float(slope_angle(slope))
+    if angle and friction is not None and friction <= abs(np.tan(angle)):
+        raise InputError("slope", slope, "assess").so(
+            f"it slides on it at a friction of {friction}"
+        )
+    statics = statics_of(structure, angle)
     motions = by_recording(_given(records))
-    both_ways = not is_symmetric(structure)
+    both_ways = angle != 0.0 or not is_symmetric(structure)
     conditions = Conditions(
         *_in_plane(motions, both_ways),
         _levels(pga, statics.uplift_acceleration),
@@ -140,13 +162,16 @@ def assess(
         both_ways,
         tuple(one.name for one in motions if isinstance(one, GroundMotion)),
         pga,
+        angle,
     )
+    of_codes = checks_at(checks, conditions.levels)
     recorded = as_recorded(structure, conditions)
     trials = scaled(structure, conditions, level)
     changed = remedies(structure, conditions, trials, level)
     return Assessment(
-        structure, conditions, level, statics, recorded, trials, changed, units_checked
-    )
+        structure, conditions, level, statics, recorded, trials, changed, units_checked, of_codes,
+        tie_answers(structure, conditions, trials.broken),
+    )  # fmt: skip
 
 
 def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:

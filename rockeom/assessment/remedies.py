@@ -48,7 +48,7 @@ def remedies(
     for change, changed in _changed(structure):
         after = scaled(changed, conditions, level)
         gain = paired_gain(before, after, conditions.recordings, level)
-        changes.append(Remedy(change, statics_of(changed), after, gain))
+        changes.append(Remedy(change, statics_of(changed, conditions.slope), after, gain))
     return tuple(changes)
 
 
@@ -77,6 +77,9 @@ def paired_gain(
 def _changed(structure: Structure) -> Iterator[tuple[str, Structure]]:
     """Changed structures of the same mass and inertia, each with the change in words."""
     if not hasattr(structure, "__dataclass_fields__"):
+        return
+    if hasattr(structure, "changed"):
+        yield from structure.changed(WIDER, LOWER)
         return
     same: Any = structure
     names = structure.defaults()

@@ -12,9 +12,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import Estimate
+from rockeom.analysis.standards.check import Check
+from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
 from rockeom.assessment.statics import Load, Statics
+from rockeom.assessment.ties import StrapTrial, TieAnswer, in_words, strap_trial
 from rockeom.assessment.trials import (
     OF_TAILS,
     QUIET,
@@ -79,6 +82,10 @@ class Assessment:
         Changed structures, with their statics and trials.
     units_checked : bool, optional
         Whether there is a verdict though a unit is in doubt.
+    checks : tuple of tuple of Check, optional
+        Checks of codes at each PGA (m, k).
+    ties : tuple of TieAnswer, optional
+        Ties that may break, and how often they do at each PGA.
     """
 
     structure: Structure
@@ -89,6 +96,8 @@ class Assessment:
     trials: Trials
     remedies: tuple[Remedy, ...]
     units_checked: bool = False
+    checks: tuple[tuple[Check, ...], ...] = ()
+    ties: tuple[TieAnswer, ...] = ()
 
     # -- numbers
 
@@ -130,9 +139,8 @@ class Assessment:
         if not standing or self._slides:
             return None
         furthest = max(standing, key=lambda i: self.records[i].rotation)
-        motion, impact = self.conditions.motions[furthest], self.conditions.impact
-        duration = case_of(self.structure, motion, impact).duration
-        return simulate(self.structure, motion, impact=impact, duration=duration)
+        motion = self.conditions.motions[furthest]
+        return simulate(case_of(self.structure, motion, self.conditions))
 
     # -- questions
 
@@ -172,7 +180,10 @@ class Assessment:
     def title(self) -> str:
         """Question of the assessment, with the structure and the number of records."""
         n = self._n // 2 if self.conditions.both_ways else self._n
-        return f"Will it overturn? {type(self.structure).__name__} under {plural(n, 'record')}"
+        slope = np.degrees(self.conditions.slope)
+        where = f" on a slope of {slope:.3g} degrees" if slope else ""
+        who = type(self.structure).__name__
+        return f"Will it overturn? {who}{where} under {plural(n, 'record')}"
 
     @cached_property
     def verdict(self) -> str:
@@ -192,7 +203,8 @@ class Assessment:
         if not answered or self.records_in_doubt:
             return ""
         lift = sum(one.lifts for one in answered)
-        said = f"As recorded, {count(lift)} of {self._motions(len(answered))} lift{_s(lift)} a foot"
+        of = f"{count(lift)} of {self._motions(len(answered))}"
+        said = f"As recorded, {of} lift{_s(lift)} {self._foot}"
         if not lift:
             return f"{said}."
         standing = [one.part for one in answered if not one.fell]
@@ -225,7 +237,9 @@ class Assessment:
         most = f"up to a PGA of {in_g(top.pga)}"
         if not any(row.lifted for row in rows):
             lifts = f"none of {self._motions(top.number)} even lifts"
-            return f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} a foot."
+            return (
+                f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} {self._foot}."
+            )
         return (
             f"Not under these records: none of {top.number} overturns it {most}, where the "
             f"{percent(self.level)} interval of the probability is {_interval(top)}."
@@ -247,12 +261,13 @@ class Assessment:
     def findings(self) -> tuple[str, ...]:
         """The results in sentences."""
         accelerations = [f"{in_g(a)} ({a:.3g} m/s2)" for a in self.statics.uplift_accelerations]
-        uplift = _by_side(f"from {a} on" for a in accelerations)
+        uplift = self._by_side(f"from {a} on" for a in accelerations)
         curve = f"Probability against intensity: no curve, {self.trials.no_curve}."
         of_curve = [curve] if self.trials.no_curve else map(self._of_probability, (0.05, 0.5))
         return (
             f"Uplift: {self.statics.lifts} lifts {uplift}, the static threshold.",
             self._of_sliding(),
+            *filter(None, [in_words(self.ties, self.trials, self.conditions)]),
             *of_curve,
             *([self._of_unanswered()] if self.trials.without_answer else []),
         )
@@ -262,16 +277,16 @@ class Assessment:
         if friction is None:
             return (
                 "Sliding: not judged, since no coefficient of friction was given; below "
-                f"{_by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
+                f"{self._by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
             )
-        slides = in_g(friction * self.statics.weight / self.statics.mass)
+        slides = in_g(self.statics.sliding_acceleration(friction))
         phrases = {
             True: f"slides first, from {slides} on, since its friction, {friction:g}, is below ",
             False: f"rocks first, since its friction, {friction:g}, is above ",
             None: "is at the limit between sliding first and rocking first, a friction of ",
         }
         first = self.statics.slides_first(friction)
-        said = _by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
+        said = self._by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
         return f"Sliding: it {said}.{self._of_room()}"
 
     def _of_room(self) -> str:
@@ -358,8 +373,8 @@ class Assessment:
             height = step * np.floor(highest / step)
             which = "the highest place where it does not push the base out"
         force, held = self.statics.strap(load, height), self.statics.hold_down(load)
-        pushed = self.statics.mass * top
-        if force == 0.0 or not self.statics.one_body:
+        pushed = self.statics.mass * (top + abs(self.statics.along))
+        if not self.statics.one_body or force == 0.0:
             return
         if np.isnan(force):
             yield "No strap or anchor is judged: the vertical shaking lifts it."
@@ -370,14 +385,37 @@ class Assessment:
             f"statically, with a strength of {self._force(force)}; the base then carries "
             f"{self._force(pushed - force)} across."
         )
+        if not self.statics.one_sided:
+            yield from self._of_hold_down(held, pushed)
+        trial = strap_trial(self.structure, self.conditions, height, force)
+        if trial is not None:
+            yield self._of_trial(trial, force)
+
+    def _of_hold_down(self, held: float, pushed: float) -> Iterator[str]:
+        """Force of a hold-down, and the one across [N]."""
         yield (
             f"So does a hold-down of {self._force(held)} at each edge; the base then carries "
             f"{self._force(pushed)} across."
             if np.isfinite(held)
             else f"No hold-down does without friction: stop the base with {self._force(pushed)}."
         )
-        if friction is None:
+        if self.conditions.friction is None:
             yield "Neither is judged against sliding, since no coefficient of friction was given."
+
+    def _of_trial(self, trial: StrapTrial, force: float) -> str:
+        """The strap under the records at the highest PGA; force : that holds it still [N]."""
+        sides = "" if self.statics.one_sided else " to either side"
+        tried = f"That strap{sides}, of {trial.stiffness:.2g} N/m, simulated: "
+        where = f"of {self._motions(trial.number)} at {in_g(float(self.conditions.levels[-1]))}"
+        if trial.overturned:
+            return f"{tried}{trial.overturned} {where} overturn it all the same."
+        strength = max(force, trial.force)
+        step = 10.0 ** (np.floor(np.log10(strength)) - 2.0)
+        return (
+            f"{tried}none {where} overturns it, and its largest force is "
+            f"{self._force(trial.force)}; choose a strength of "
+            f"{newton(step * np.ceil(strength / step))} or more."
+        )
 
     @property
     def _strap_place(self) -> tuple[float, str]:
@@ -413,6 +451,8 @@ class Assessment:
             said.append(
                 f"Vertical shaking: that of {shaken} of {self._motions(self._n)}, scaled along."
             )
+        if self.conditions.slope:
+            said.append("Slope: it falls to the right; the records act along it and normal to it.")
         still = "" if shaken else "no vertical shaking, "
         said.append(
             f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
@@ -427,6 +467,8 @@ class Assessment:
         support = self.furthest.support
         needed = max(support.friction_demand, support.impact_friction_demand)
         friction = self.conditions.friction
+        if np.isnan(needed):
+            return ("No sliding: the simulations hold the edge about which it turns.",)
         held = (
             "" if friction is None else " It held." if needed <= friction else " It did not hold."
         )
@@ -457,6 +499,10 @@ class Assessment:
         return bool(self.units_in_doubt) and not self.units_checked
 
     @property
+    def _foot(self) -> str:
+        return "its inner edge" if self.statics.one_sided else "a foot"
+
+    @property
     def _slides(self) -> bool:
         return can_slide(self.structure, self.conditions)
 
@@ -465,6 +511,13 @@ class Assessment:
         """Whether it leaves its place anywhere."""
         rooms = [row.room for row in self.trials.intensities] + [one.room for one in self.records]
         return any(room > _STILL for room in rooms)
+
+    def _by_side(self, texts: Iterable[str]) -> str:
+        """Texts (left, right) as one; that of the right alone of what lifts to no other side."""
+        left, right = texts
+        if left == right or self.statics.one_sided:
+            return right
+        return f"{left} to the left and {right} to the right"
 
     @property
     def _n(self) -> int:
@@ -490,14 +543,14 @@ class Assessment:
             Text of several lines.
         """
         rows = [
-            f"PGA {in_g(row.pga)}: {row.overturned} of {row.number}"
-            + f" ({_interval(row)})"
+            f"PGA {in_g(row.pga)}: {_counted(row)}"
             + (f"; others need up to {in_mm(row.room)} of room" if row.room > _STILL else "")
             for row in self.trials.intensities
         ]
         blocks = {
             "Results": self.findings,
             "Overturning against intensity": rows,
+            "Checks of codes": self._checks_in_words(),
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
@@ -511,6 +564,20 @@ class Assessment:
                 for one in sentences
             ]
         return "\n".join(lines)
+
+    def _checks_in_words(self) -> list[str]:
+        if not self._shows_checks:
+            return []
+        levels = [in_g(pga) for pga in self.conditions.levels.tolist()]
+        said = [
+            f"{name}: {'; '.join(f'at {pga} {x}' for pga, x in zip(levels, results, strict=True))}"
+            for name, *results in rows_of(self.checks)
+        ]
+        return [HOW_TO_READ, *said, *sources_of(self.checks)]
+
+    @property
+    def _shows_checks(self) -> bool:
+        return bool(self.checks) and not self._in_doubt
 
     def __str__(self) -> str:
         return self.summary()
@@ -564,7 +631,7 @@ class Assessment:
 
     def _body(self) -> str:
         shaken = simulated(self.structure, self.conditions)
-        facts = facts_of(shaken, self.conditions.impact)
+        facts = facts_of(shaken, self.conditions.impact, self.conditions.slope)
         parts = [
             *(f'<p class="question">{escape(one)}</p>' for one in self.questions),
             f'<p class="verdict">{escape(self.verdict)}</p>',
@@ -575,6 +642,7 @@ class Assessment:
             "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
             if self._n
             else "",
+            f"<h2>Checks of codes</h2>{self._check_table()}" if self._shows_checks else "",
             f"<h2>Measures that help</h2>{page.bullets(self.helps)}" if self.helps else "",
             f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
             f"<h2>Structure</h2>{page.facts(facts)}",
@@ -586,7 +654,13 @@ class Assessment:
 
     def _intensity_table(self) -> str:
         curve = self.trials.fragility
-        heads = ("PGA", "lift a foot", "overturn", f"{percent(self.level)} interval", "curve")
+        heads = (
+            "PGA",
+            f"lift {self._foot}",
+            "overturn",
+            f"{percent(self.level)} interval",
+            "curve",
+        )
         rows = [
             (
                 in_g(row.pga),
@@ -599,6 +673,15 @@ class Assessment:
             for row in self.trials.intensities
         ]
         return page.table((*heads, *(["room"] if self._moves else [])), rows)
+
+    def _check_table(self) -> str:
+        """Motions and checks, a column for each PGA."""
+        heads = ("", *map(in_g, self.conditions.levels.tolist()))
+        title = f"Records that overturn it ({percent(self.level)} interval)"
+        counts = [(title, *map(_counted, self.trials.intensities))]
+        table = page.table(heads, [*(counts if self._n else []), *rows_of(self.checks)])
+        sources = page.bullets(sources_of(self.checks))
+        return f"<p>{HOW_TO_READ}</p>{page.wide(table)}{sources}"
 
     def _record_table(self) -> str:
         """Records that overturn it first, then those that turn it furthest."""
@@ -626,14 +709,13 @@ def check_page(path: str | Path) -> None:
     check_target(path)
 
 
-def _by_side(texts: Iterable[str]) -> str:
-    left, right = texts
-    return left if left == right else f"{left} to the left and {right} to the right"
-
-
 def _s(n: int) -> str:
     """The end of a verb of which none, one or more are the subject."""
     return "s" * (n <= 1)
+
+
+def _counted(row: AtIntensity) -> str:
+    return f"{row.overturned} of {row.number} ({_interval(row)})"
 
 
 def _interval(row: AtIntensity) -> str:

@@ -15,16 +15,25 @@ down needs T >= (m a h - N b)/(2 b), with the distance 2 b of the edges, and T >
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.motion.slope import weight_on
 from rockeom.numbers.checks import InputError
 from rockeom.structures.base import Structure
+from rockeom.structures.evaluation import gravity_of
 from rockeom.structures.shipped.stacked_blocks import StackedBlocks
+from rockeom.structures.slope import uplift_accelerations
 
 _SAME = 1e-9
 """Relative difference of a friction coefficient and b/h that is rounding."""
+
+_LIFTS = {
+    "facade": "the inner edge, without ties,",
+    "isolated_blocks": "a block, on ground that moves as its base does,",
+}
+"""Parts that lift first, by the models of structures of which it is no foot on the ground."""
 
 
 class Load(NamedTuple):
@@ -68,6 +77,9 @@ class Statics(NamedTuple):
         Part that lifts first, in words.
     one_body : bool, optional
         Whether a strap holds all of it.
+    along : float, optional
+        Acceleration of the ground that does what the weight along the slope does [m/s2]; `weight`
+        is the part normal to it.
     """
 
     uplift_accelerations: tuple[float, float]
@@ -78,6 +90,12 @@ class Statics(NamedTuple):
     base_width: float
     lifts: str = "a foot"
     one_body: bool = True
+    along: float = 0.0
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether it lifts to the right alone."""
+        return math.isinf(self.uplift_accelerations[0])
 
     @property
     def uplift_acceleration(self) -> float:
@@ -87,8 +105,24 @@ class Statics(NamedTuple):
     @property
     def frictions_to_rock(self) -> tuple[float, float]:
         """(left, right) coefficients of friction below which it slides before; b/h of a block."""
-        left, right = (self.mass * a / self.weight for a in self.uplift_accelerations)
-        return left, right
+        left, right = self.uplift_accelerations
+        of_mass = self.mass / self.weight
+        return of_mass * (left + self.along), of_mass * (right - self.along)
+
+    def sliding_acceleration(self, friction: float) -> float:
+        """Acceleration from which it slides, on a slope downhill.
+
+        Parameters
+        ----------
+        friction : float
+            Coefficient of friction.
+
+        Returns
+        -------
+        float
+            Acceleration of the ground [m/s2].
+        """
+        return friction * self.weight / self.mass - abs(self.along)
 
     def slides_first(self, friction: float) -> tuple[bool | None, bool | None]:
         """Whether the structure slides before it lifts.
@@ -167,32 +201,45 @@ class Statics(NamedTuple):
 
     def _at_rest(self, load: Load) -> tuple[float, float, float, float]:
         """m a, mu N [N], m a h, N b [N m] with the lesser b."""
-        weight, pushed = self.weight - self.mass * load.vertical, self.mass * load.acceleration
+        weight = self.weight - self.mass * load.vertical
+        pushed = self.mass * (load.acceleration + abs(self.along))
         grip = math.inf if load.friction is None else load.friction * weight
         return pushed, grip, pushed * self.centroid_height, weight * min(self.arms)
 
 
-def statics_of(structure: Structure) -> Statics:
-    """The statics of a structure that rocks on rigid ground.
+def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
+    """The statics of a structure that rocks on rigid ground, which may slope [rad].
 
-    Raises ValueError for another one, and for one that no acceleration lifts.
+    Raises ValueError for another one, and for one that no acceleration lifts or that cannot stand.
     """
     if isinstance(structure, StackedBlocks):
+        if slope:
+            raise InputError("slope", slope, "assess").so("stacks are judged on level ground alone")
         if structure.support:
             raise InputError("structure", of="assess").says(
                 "corners that slide are not judged: leave out the support of the stack"
             )
         return _of_stack(structure)
-    thresholds = structure.uplift_accelerations
+    if (bare := structure.unrestrained) is not None:
+        lifts = _LIFTS.get(structure.model, "a foot, with nothing that holds it,")
+        held = hasattr(structure, "restraint")
+        return statics_of(bare, slope)._replace(lifts=lifts, one_body=held)
+    if structure.model == "facade":
+        return _of_facade(structure, slope)
+    thresholds = uplift_accelerations(structure, slope)
     if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
         raise InputError("structure", of="assess").says(
             f"{structure.model} has no feet that lift from rigid ground, in metres and seconds: "
             "take a RigidBlock, with friction= where it may slide, StackedBlocks, "
-            "LumpedMassStructure, FlexibleStructure or ShearFrame"
+            "LumpedMassStructure, FlexibleStructure, ShearFrame, HeldBlock, Facade or "
+            "IsolatedBlocks"
         )
     if not math.isfinite(min(thresholds)):
         raise InputError("structure", structure.model, "assess").so("no acceleration lifts it")
-    feet, lifted = _feet(structure), _feet(structure, 1.0)
+    if min(thresholds) <= 0.0:
+        raise InputError("slope", slope, "assess").so(f"{structure.model} cannot stand on it")
+    along, normal = weight_on(slope, gravity_of(structure.module, structure.vector))
+    feet, lifted = _feet(structure, normal), _feet(structure, normal + 1.0)
     pushed = structure.reactions({}, ground_acceleration=1.0)["horizontal_reaction"]
     mass = abs(float(pushed)) + _moving_mass(structure)
     counted = float((lifted - feet).sum())
@@ -206,10 +253,26 @@ def statics_of(structure: Structure) -> Statics:
         weight,
         mass,
         (left / weight, right / weight),
-        max(left / thresholds[0], right / thresholds[1]) / mass,
+        max(left / (thresholds[0] + along), right / (thresholds[1] - along)) / mass,
         width,
         one_body=math.isclose(counted, mass, rel_tol=1e-6),
+        along=along,
     )
+
+
+def _of_facade(facade: Any, slope: float) -> Statics:
+    """A facade lifts from its outer edge alone, away from the walls on which it leans."""
+    if slope:
+        raise InputError("slope", slope, "assess").so("facades are judged on level ground alone")
+    at_rest, pushed = facade.reactions({}), facade.reactions({}, ground_acceleration=1.0)
+    moment = facade.thickness * at_rest["walls_reaction"]  # about the outer edge
+    mass = float(pushed["horizontal_reaction"])
+    height = facade.thickness * (pushed["walls_reaction"] - at_rest["walls_reaction"]) / mass
+    if moment <= 0.0:
+        raise InputError("thrust", facade.thrust, "Facade").so("it cannot stand")
+    weight = mass * facade.gravity
+    uplifts, arms = (math.inf, moment / (mass * height)), (math.inf, moment / weight)
+    return Statics(uplifts, weight, mass, arms, height, facade.thickness, _LIFTS["facade"])
 
 
 def _of_stack(stack: StackedBlocks) -> Statics:
@@ -227,7 +290,7 @@ def _of_stack(stack: StackedBlocks) -> Statics:
     )
 
 
-def _feet(structure: Structure, vertical: float = 0.0) -> np.ndarray:
+def _feet(structure: Structure, vertical: float) -> np.ndarray:
     """(2,) forces on the left and the right foot under a vertical acceleration [N]."""
     forces = structure.reactions({}, vertical_ground_acceleration=vertical)
     return np.array([forces["left_reaction"], forces["right_reaction"]], dtype=float)
@@ -249,6 +312,8 @@ def is_symmetric(structure: Structure) -> bool:
     """
     if isinstance(structure, StackedBlocks):
         return True
+    if structure.unrestrained is not None or structure.model == "facade":
+        return False
     m, p, rng = structure.module, structure.vector, np.random.default_rng(0)
     left, right = np.empty((2, m.N_STATES))
     for y in 0.1 * rng.standard_normal((_STATES, m.N_STATES)):

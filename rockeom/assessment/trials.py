@@ -1,5 +1,6 @@
 """Motions of a structure under records, as they were recorded and scaled to intensities."""
 
+import re
 from collections import Counter
 from dataclasses import fields
 from typing import Any, NamedTuple
@@ -18,6 +19,7 @@ from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.searched_modes import breaking
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.structures.shipped.sliding_block import SlidingBlock
 from rockeom.sweeps.options import SweepOptions
@@ -32,6 +34,8 @@ With fewer the intervals hold the truth less often than they say, see `benchmark
 """
 _WIDEST = 10.0
 """Ratio of the ends of an interval of a PGA that says too little."""
+_PLACE = re.compile(r"x(_\d+)?")
+"""Names of the coordinates of feet that slide."""
 _LIFTED = 1e-9  # rad; less is rounding
 
 
@@ -57,6 +61,8 @@ class Conditions(NamedTuple):
         Names of vertical components, which were not used.
     pga_given : object, optional
         PGA as the user wrote it.
+    slope : float, optional
+        Slope of the ground [rad].
     """
 
     motions: tuple[Recording, ...]
@@ -67,6 +73,7 @@ class Conditions(NamedTuple):
     both_ways: bool = False
     left_out: tuple[str, ...] = ()
     pga_given: Any = None
+    slope: float = 0.0
 
     @property
     def vertical_peak(self) -> float:
@@ -97,6 +104,8 @@ class UnderRecord(NamedTuple):
         Displacement from that place, in the end [m]; NaN likewise.
     body : str
         Body that turned furthest in the end.
+    broken : tuple of str
+        Ties that broke.
     """
 
     name: str
@@ -107,6 +116,7 @@ class UnderRecord(NamedTuple):
     room: float
     displacement: float
     body: str
+    broken: tuple[str, ...] = ()
 
     @property
     def lifts(self) -> bool:
@@ -170,6 +180,8 @@ class Trials(NamedTuple):
         Number of falls by the body that fell.
     without_answer : dict of str to int
         Number of other outcomes by their names.
+    broken : dict of str to ndarray
+        Whether each motion broke a tie (n, m), by the names of the ties that may break.
     """
 
     fell: np.ndarray
@@ -179,19 +191,26 @@ class Trials(NamedTuple):
     no_curve: str
     bodies: dict[str, int]
     without_answer: dict[str, int]
+    broken: dict[str, np.ndarray]
 
 
 def can_slide(structure: Structure, conditions: Conditions) -> bool:
-    """Whether sliding is simulated: that of a rigid block with the default law of impact."""
+    """Whether sliding is simulated: of feet that slide, or a rigid block on the default law."""
     slides = conditions.friction is not None and conditions.impact is None
-    return slides and type(structure) is RigidBlock
+    return slides and (type(structure) is RigidBlock or own_friction(structure) is not None)
+
+
+def own_friction(structure: Structure) -> float | None:
+    """The friction of feet that slide in the structure itself; None where they do not."""
+    support = getattr(structure, "support", None)
+    return getattr(structure if support is None else support, "friction", None)
 
 
 def simulated(structure: Structure, conditions: Conditions) -> Structure:
     """The structure itself, or the same block on feet that slide and do not bounce."""
-    if conditions.friction is None or not can_slide(structure, conditions):
+    if type(structure) is not RigidBlock or not can_slide(structure, conditions):
         return structure
-    assert isinstance(structure, RigidBlock)
+    assert conditions.friction is not None
     values = {f.name: getattr(structure, f.name) for f in fields(structure)}
     values["inertia"] = structure.parameters()["inertia"]
     return SlidingBlock(**values, friction=conditions.friction, restitution=0.0)
@@ -199,13 +218,13 @@ def simulated(structure: Structure, conditions: Conditions) -> Structure:
 
 def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderRecord, ...]:
     """The effect of each record as it was recorded."""
-    return tuple(one for (one,) in _under(structure, conditions, None))
+    return tuple(one for (one,) in under(structure, conditions, None))
 
 
 def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials:
     """Outcomes under each record scaled to each intensity; level : of the intervals."""
     levels = conditions.levels
-    rows = _under(structure, conditions, levels)
+    rows = under(structure, conditions, levels)
     every = [one for row in rows for one in row]
     fell, answered = (
         np.array(which, dtype=bool).reshape(len(rows), len(levels))
@@ -221,17 +240,23 @@ def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials
         *fitted(conditions, fell, answered),
         Counter(one.body for one in every if one.fell),
         Counter(one.outcome for one in every if not one.answered),
+        {
+            name: np.reshape([name in one.broken for one in every], fell.shape)
+            for name in breaking(structure.module)
+        },
     )
 
 
-def case_of(structure: Structure, motion: Recording, impact: ImpactLaw | None) -> Case:
+def case_of(structure: Structure, motion: Recording, conditions: Conditions) -> Case:
     """The structure under a motion and quiet time after it."""
+    impact, slope = conditions.impact, conditions.slope
     horizontal, vertical = motion.horizontal[0], motion.vertical
     longest = max(one.duration for one in (horizontal, vertical) if one is not None)
-    return Case(structure, horizontal, impact, duration=longest + QUIET, vertical=vertical)
+    end = longest + QUIET
+    return Case(structure, horizontal, impact, duration=end, vertical=vertical, slope=slope)
 
 
-def _under(
+def under(
     structure: Structure, conditions: Conditions, levels: np.ndarray | None
 ) -> list[tuple[UnderRecord, ...]]:
     """(n, 1) effects of motions as they were recorded, or (n, m) scaled to levels.
@@ -243,7 +268,7 @@ def _under(
         return []
 
     def case(motion: Recording, pga: float | None = None) -> Case:
-        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions.impact)
+        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions)
 
     over = {"motion": motions} | ({} if levels is None else {"pga": levels})
     sweep = simulate_many(case, over, sweep_options=SweepOptions(progress=False))
@@ -252,25 +277,33 @@ def _under(
     theta = structure.module.STATES[structure.module.ROTATION]
     if structure.overturning_angles is not None:
         ratios = (
-            rotation_ratio(structure, sweep[name].sel(state=theta).values)
+            rotation_ratio(structure, sweep[name].sel(state=theta).values, conditions.slope)
             for name in ("minimum", "maximum")
         )
         part = np.maximum(*map(np.abs, ratios))
     turned = sweep[["peak", "final"]].sel(state=list(structure.falls))
     rotation = turned["peak"].max("state").values
     if can_slide(structure, conditions):
+        places = [name for name in tried.module.STATES if _PLACE.fullmatch(name)]
         base, displacement = (
-            np.where(labels == FALLS, np.nan, np.abs(sweep[name].sel(state="x").values))
+            np.where(labels == FALLS, np.nan, abs(sweep[name].sel(state=places)).max("state"))
             for name in ("peak", "final")
         )
         room = base + height_of(structure)[0] * np.sin(rotation)
-    body = np.array(_bodies(structure))[abs(turned["final"]).argmax("state").values]
+    bodies = np.array(_bodies(structure))
+    body = bodies[abs(turned["final"]).argmax("state").values]
     columns = [
         x.reshape(len(motions), -1) for x in (labels, rotation, part, room, displacement, body)
     ]
+    ties = {
+        name: sweep["final"].sel(state=f"{name}_broken").values.reshape(len(motions), -1) == 1.0
+        for name in breaking(tried.module)
+    }
     return [
         tuple(
-            UnderRecord(motion.name or "a ground motion", peak, *(x[i, j].item() for x in columns))
+            UnderRecord(
+                motion.name or "a ground motion", peak, *(x[i, j].item() for x in columns)
+            )._replace(broken=tuple(name for name, broken in ties.items() if broken[i, j]))
             for j, peak in enumerate(
                 [motion.horizontal[0].peak] if levels is None else levels.tolist()
             )
@@ -289,9 +322,9 @@ def height_of(structure: Structure) -> tuple[float, str]:
 
 def _bodies(structure: Structure) -> list[str]:
     """The body that turns with each coordinate of `falls`; no names where there is but one."""
-    angles = [structure.rotations({name: 0.1}) for name in structure.falls]
-    if len(angles) == 1:
+    if len(structure.falls) == 1:
         return [""]
+    angles = [structure.rotations({name: 0.1}) for name in structure.falls]
     return [next((name for name, angle in one.items() if angle), "") for one in angles]
 
 

@@ -86,8 +86,9 @@ def _is_factor(number: Any) -> bool:
 
 
 def _parts(case: Case) -> dict[str, str]:
-    """The parts of a case that were given."""
+    """The parts of a case that were given; pages have level ground."""
     parts = {field.name: getattr(case, field.name) for field in fields(Case)}
+    del parts["slope"], parts["ground_axes"]
     return {name: code_of(x) for name, x in parts.items() if x is not None}
 
 

@@ -327,7 +327,13 @@ class Explorer:
     def _questions(self) -> tuple[str, ...]:
         """The modules whose entries a page calls; structures without feet have no statics."""
         feet = self._structure.rocks_on_rigid_ground
-        return ("rockeom.browser.questions", *(["rockeom.browser.verdict"] if feet else []))
+        modules = ["questions"] + ["verdict"] * feet + ["forces"] * self._draws_forces
+        return tuple(f"rockeom.browser.{name}" for name in modules)
+
+    @property
+    def _draws_forces(self) -> bool:
+        """Whether it draws elements by their forces."""
+        return bool({"tendon", "push"} & {*self._structure.module.POSITION_KINDS})
 
     def _written(self) -> tuple[Text, ...]:
         """The texts that questions take from the set-up and from the structure."""
@@ -342,9 +348,9 @@ class Explorer:
 
     @property
     def entries(self) -> tuple[str, ...]:
-        """The functions that a page calls: of its texts, and the statics where there are feet."""
+        """The functions that a page calls: of its texts, statics of feet, forces that it draws."""
         feet = self._structure.rocks_on_rigid_ground
-        return (*ENTRIES, "uplift_and_friction") if feet else ENTRIES
+        return (*ENTRIES, *["uplift_and_friction"] * feet, *["forces"] * self._draws_forces)
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program.
@@ -379,7 +385,7 @@ class Explorer:
             "groundUnit": main_units(m)["ground_acceleration"],
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
-            "copies": m.COPIES, "mostP": self.setup.sizes[0],
+            "elements": m.ELEMENT_NAMES, "copies": m.COPIES, "mostP": self.setup.sizes[0],
             "legs": legs(structure, structure.mode_number(y), y),
             "weight": self._assumed_weight(), "axes": self._axes(),
             "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
@@ -468,7 +474,8 @@ class Explorer:
 def _asset(name: str) -> str:
     """A file of the page without comments and indents, a third of it: the source is for readers."""
     text = _ASSETS.joinpath(name).read_text("utf-8")
-    text = re.sub(r"^ *//[^\n]*\n|/\*\*.*?\*/ ?", "", text, flags=re.MULTILINE | re.DOTALL)
+    comments = r"^ *//[^\n]*\n|(?<=;) //[^\n]*|/\*\*.*?\*/ ?"
+    text = re.sub(comments, "", text, flags=re.MULTILINE | re.DOTALL)
     return re.sub(r"^\s+", "", text, flags=re.MULTILINE)
 
 

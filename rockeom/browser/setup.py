@@ -43,6 +43,7 @@ from rockeom.browser.traced import (
 )
 from rockeom.compiler.modules import Text
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers.checks import InputError
 from rockeom.simulation.case import Case, Problem
 
 PLACES = 2048
@@ -249,6 +250,10 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
 def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     tape = Tape()
     case = setup.case(**setup.controls.traced(tape, place))
+    if not case.ground.is_level:
+        raise InputError("slope", of="explorer").says(
+            "a page has level ground: leave {slope} out, and simulate the case in Python"
+        )
     try:
         problem = case.problem()
     except UntracedError:

@@ -9,7 +9,7 @@ from rockeom.assessment.assess import assess, by_recording
 from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
-from rockeom.cli.simulate import impact_law
+from rockeom.cli.simulate import add_slope, impact_law
 from rockeom.cli.text.options import add_number, add_words
 from rockeom.motion.floor import floor_motion
 
@@ -46,6 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "MU",
         "coefficient of friction below the feet; without it sliding is not judged",
     )
+    add_slope(parser)
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     parser.add_argument(
         "--units-checked", action="store_true", help="give a verdict though a unit is in doubt"
@@ -88,7 +89,7 @@ def run(args: argparse.Namespace) -> int:
         shaking = [floor_motion(x, args.floor, height=args.floor_height) for x in shaking]
     answer = assess(
         structure, shaking, pga=pga, friction=args.friction, impact=law, level=args.level,
-        units_checked=args.units_checked,
+        units_checked=args.units_checked, slope=args.slope,
     )  # fmt: skip
     print(str(answer).replace(UNITS_CHECKED, "--units-checked"))
     if args.out is not None:

@@ -19,6 +19,7 @@ from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.response import Response
 from rockeom.simulation.tables import units_with_time
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.slope import uplift_accelerations
 from rockeom.structures.units import main_units
 from rockeom.version import VERSION
 
@@ -104,7 +105,7 @@ def write_json(
 
 def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:
     unit = units_with_time(run.structure.module, run.units)
-    peaks = {}
+    peaks, uplifts = {}, uplift_accelerations(run.structure, run.slope)
     for name in main_units(run.structure.module):
         value, time = peak(run, name)
         peaks[name] = {"value": _number(value), "time": time, "unit": unit[name]}
@@ -118,6 +119,8 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "outcome": str(run.outcome),
         "sentence": run.outcome.sentence,
         "duration": run.duration,
+        "slope": run.slope,
+        "ground_axes": run.ground_axes,
         "end": float(run.t[-1]),
         "peaks": peaks,
         "reserve": _reserve(run),
@@ -130,7 +133,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "lost_contact": run.support.lost_contact,
         "assumptions": run.support.describe(),
         "never_lifted": run.support.never_lifted,
-        "uplift_acceleration": _number(run.structure.uplift_acceleration),
+        "uplift_acceleration": _number(min(uplifts) if uplifts else None),
         "hints": [*run.hints, *forces(run.structure)],
         "statistics": run.statistics,
     }
@@ -139,7 +142,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
 def _reserve(run: Response) -> dict[str, Any] | None:
     """The largest theta/alpha, its side, and the part of the overturning angle that was left."""
     rotation = run.extremes(run.states[run.structure.module.ROTATION])
-    reserve = reserve_of(run.structure, rotation)
+    reserve = reserve_of(run.structure, rotation, run.slope)
     return None if reserve is None else {**reserve._asdict(), "reserve": reserve.reserve}
 
 

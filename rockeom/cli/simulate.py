@@ -10,6 +10,7 @@ from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import add_motion, motions
 from rockeom.cli.text.options import add_number, add_pairs
 from rockeom.files import check_target
+from rockeom.motion.slope import AXES, SLOPE
 from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import METHODS, SolverOptions
@@ -97,6 +98,11 @@ def add_case(parser: argparse.ArgumentParser) -> None:
         help="what an impact does: angular-momentum, impulsive, energy-ratio=R, velocity-ratio=E",
     )
     add_number(parser, "--duration", "S", "of the simulation [s]")
+    add_slope(parser)
+    parser.add_argument(
+        "--ground-axes", choices=AXES, default=SLOPE,
+        help="those of the ground motions: along and normal to the slope, or level and upright",
+    )  # fmt: skip
     add_motion(parser.add_argument_group("ground motion (one of the first four)"))
     parser.add_argument(
         "--method",
@@ -149,7 +155,17 @@ def case(args: argparse.Namespace) -> Case:
     initial = numbers(args.initial, "--initial", "theta=0.1")
     law = impact_law(args.impact)
     motion, vertical = motions(args)
-    return Case(structure, motion, law, initial, args.duration, vertical)
+    start = initial or None  # none: at rest in equilibrium, on a slope
+    sloping = {"slope": args.slope, "ground_axes": args.ground_axes}
+    return Case(structure, motion, law, start, args.duration, vertical, **sloping)
+
+
+def add_slope(parser: argparse.ArgumentParser) -> None:
+    """The option for ground that slopes."""
+    parser.add_argument(
+        "--slope", metavar="SLOPE", default=0.0,
+        help="of the ground, which falls to the right: 5deg, 0.09rad, or '1 in 20'",
+    )  # fmt: skip
 
 
 def check_folder(path: Path) -> None:

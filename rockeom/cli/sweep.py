@@ -18,6 +18,7 @@ from rockeom.files import write
 from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
+from rockeom.structures.slope import overturning_angles
 from rockeom.structures.units import with_unit
 from rockeom.sweeps.case_numbers import OtherCase
 from rockeom.sweeps.run import simulate_many
@@ -40,7 +41,7 @@ names that --over knows:
   numbers of a pulse, as amplitude and period; scale and time_scale, factors of the accelerations
   and times of any ground motion
   restitution, the ratio of angular velocities after and before an impact
-  "initial theta" and other states at the start; duration [s]
+  "initial theta" and other states at the start; duration [s]; slope of the ground [rad]
 
 examples:
   rockeom sweep rigid_block --set half_width=0.2 half_height=0.9 --out map \\
@@ -133,7 +134,8 @@ def _picture(sweep: xr.Dataset, one: Case) -> Figure | None:
         return None
     (name,) = names
     other = OtherCase(one, (name,))
-    angles = [other(**{name: x}).structure.overturning_angles for x in sweep[name].values.tolist()]
+    cases = (other(**{name: x}) for x in sweep[name].values.tolist())
+    angles = [overturning_angles(case.structure, case.slope) for case in cases]
     if None in angles:
         print("no picture: the structure has no overturning angle to compare with", file=sys.stderr)
         return None

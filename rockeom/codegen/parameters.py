@@ -7,11 +7,13 @@ from rockeom.codegen.printer import statements
 from rockeom.codegen.text import Text
 from rockeom.symbolic.checks.values import Size, sizes
 from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.outputs import drawn
 
 
 def shapes(text: Text) -> dict[str, tuple[str, ...]]:
     """Add the sizes that a sketch shows; returns the tables that name them."""
-    bodies, members = text.model.bodies, text.model.members
+    bodies = text.model.bodies
+    members = [*text.model.members, *(m for m, _ in drawn(text.model))]
     several = [b for b in bodies if b.copies != 1]
     values = [
         *(e for b in bodies for corner in b.outline for e in corner),

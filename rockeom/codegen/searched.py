@@ -33,10 +33,10 @@ from rockeom.codes import (
 from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contacts import Contact, ContactDeclaration
-from rockeom.symbolic.elements import Ending
+from rockeom.symbolic.elements import Ending, Tie
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_Y, Body
+from rockeom.symbolic.model import GROUND_Y, Body, InternalVariable
 from rockeom.symbolic.modes.balance import force_of, free_motion
 from rockeom.symbolic.modes.derived import VERBS, DerivedMode
 from rockeom.symbolic.modes.every import Modes, Pattern
@@ -437,18 +437,28 @@ class _Switches:
 def _jump(written: Written) -> None:
     """The ending of an element has its target, and no velocity jumps."""
     text, of, lines = written.text, written.of, []
+    switches = _of_elements(of)
+
+    def put(values: Mapping[InternalVariable, sp.Expr], i: int, state: int, then: str) -> list[str]:
+        places = {f"out[{text.index(z.symbol)}]": e for z, e in values.items()}
+        return [
+            "    if (",
+            f"        SUBJECTS[mode][guard] == {len(of.contacts) + i}",
+            f"        and ELEMENT_STATES[mode][{i}] == {state}",
+            *([f"        and {then}"] if then else []),
+            "    ):",
+            *text.evaluate("jump", places, " " * 8),
+        ]
+
     for i, element in enumerate(of.switching):
         for state in element.states:
-            put = element.settled(state)
-            if put:
-                places = {f"out[{text.index(z.symbol)}]": e for z, e in put.items()}
-                lines += [
-                    "    if (",
-                    f"        SUBJECTS[mode][guard] == {len(of.contacts) + i}",
-                    f"        and ELEMENT_STATES[mode][{i}] == {state}",
-                    "    ):",
-                    *text.evaluate("jump", places, " " * 8),
-                ]
+            if settled := element.settled(state):
+                lines += put(settled, i, state, "")
+            for place, ending in enumerate(of.endings[i][state]):
+                guard = Guard(SWITCH, len(of.contacts) + i, place=place)
+                behind = len(switches) - switches.index(guard)
+                if ending.sets:
+                    lines += put(dict(ending.sets), i, state, f"guard == GUARDS[mode] - {behind}")
     text.function(
         "jump(mode, guard, law, ratio, y, p, out)",
         "The state goes on into out (N,); returns the mode that follows a guard's fall.",
@@ -574,6 +584,11 @@ def _reactions(written: Written) -> Columns:
     return tuple(columns)
 
 
+def _ties(of: ContactDeclaration) -> tuple[str, ...]:
+    """The names of the ties."""
+    return tuple(e.name for e in of.switching if isinstance(e, Tie))
+
+
 def _shares(written: Written, pattern: Pattern, behind: int) -> list[str]:
     """Lines that put the forces of a pattern's points to their places."""
     of, indent = written.of, " " * 8
@@ -638,6 +653,8 @@ def _tables(written: Written) -> list[str]:
         f"N_POINTS = {len(of.contacts)}",
         f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
+        *([f"TIES = {ties!r}"] if (ties := _ties(of)) else []),
+        *(["HELD_ACROSS = True"] if of.is_held_across else []),
         *_impact_law(of),
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),

@@ -13,7 +13,8 @@ def sources() -> list[Path]:
     folders = (ROOT / "symbolic", ROOT / "codegen")
     files = sorted(f for folder in folders for f in folder.rglob("*.py"))
     compiler = (ROOT / "compiler" / f"{name}.py" for name in ("__init__", "sources", "types"))
-    return [ROOT / "codes.py", ROOT / "generated" / "prelude.py", *compiler, *files]
+    breaks = ROOT / "numbers" / "breaks.py"
+    return [ROOT / "codes.py", breaks, ROOT / "generated" / "prelude.py", *compiler, *files]
 
 
 def digest(*parts: str) -> str:

@@ -7,6 +7,7 @@ import html
 import io
 import math
 import os
+import textwrap
 import uuid
 from functools import cached_property
 from pathlib import Path
@@ -24,6 +25,7 @@ from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, number, require
 from rockeom.simulation.response import Response
@@ -172,6 +174,8 @@ class Animation:
             for i, motion in enumerate((run.motion, run.vertical)):
                 if motion is not None:
                     self.ground[:, i] = ground_displacement(motion, times)
+        if run.slope and run.ground_axes == SLOPE:
+            self.ground = free_body.turned(self.ground, (0.0, 0.0), run.slope)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -204,12 +208,12 @@ class Animation:
             Axes.
         """
         sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
-        sketch.draw(ax)
+        sketch.draw(ax, self.run.slope)
         for foot in sketch.closed_feet:
-            for at in sketch.feet_at(foot):
+            for at in self._feet(sketch, foot):
                 free_body.pivot(ax, at)
         for foot in self._landing(i, sketch):
-            for at in sketch.feet_at(foot):
+            for at in self._feet(sketch, foot):
                 ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
         x, y = self.ground[i]
         (left, right), (low, high) = self.limits
@@ -217,6 +221,10 @@ class Animation:
             free_body.line(ax, (-x, low - y), (-x, high - y))
         ax.set(xlim=(left - x, right - x), ylim=(low - y, high - y), aspect="equal")
         ax.axis("off")
+
+    def _feet(self, sketch: Sketch, foot: str) -> np.ndarray:
+        """(k, 2) where a foot is drawn, and those of the copies of its body."""
+        return free_body.turned(sketch.feet_at(foot), (0.0, 0.0), self.run.slope)
 
     def title(self, i: int) -> str:
         """Time, and how many impacts there have been.
@@ -257,7 +265,9 @@ class Animation:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
         poses = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, poses) + self.ground[:, None]
+        points = all_points(structure, poses)
+        turned = free_body.turned(points.reshape(-1, 2), (0.0, 0.0), self.run.slope)
+        points = turned.reshape(points.shape) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])
@@ -276,7 +286,7 @@ class Animation:
         figure = Figure(figsize=(_WIDTH, height), dpi=_DPI)
         canvas = FigureCanvasAgg(figure)
         ax = figure.add_axes((0.02, _BOTTOM / height, 0.96, tall / height))
-        name = style.wrapped(style.plain(style.title_of(self.run)), 62).split("\n")[0]
+        name = textwrap.shorten(style.plain(style.title_of(self.run)), 62, placeholder=" ...")
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
         figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
@@ -331,7 +341,7 @@ class Animation:
 def _signs(animation: Animation) -> list[Line2D]:
     """Meanings of the marks that the structure has."""
     signs: list[Line2D] = []
-    if "foot" in animation.run.structure.module.POSITION_KINDS:
+    if {"foot", "point"} & {*animation.run.structure.module.POSITION_KINDS}:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
     if len(animation.run.impacts):
         signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))

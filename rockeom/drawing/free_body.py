@@ -16,8 +16,11 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.path import Path
+from matplotlib.text import Annotation
+from matplotlib.transforms import Affine2D
 from numpy.typing import ArrayLike
 
 from rockeom.drawing.style import INK, LINES
@@ -387,6 +390,28 @@ def line(ax: Axes, start: Point, end: Point) -> None:
         End (x, y).
     """
     ax.plot(*np.transpose([start, end]), color="0.45", lw=0.8, ls=(0, (6, 3)))
+
+
+def tilt(ax: Axes, angle: float, artists: Sequence[Artist]) -> None:
+    """Turn what is drawn clockwise about the origin; words stay level.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    angle : float
+        Angle [rad].
+    artists : sequence of matplotlib.artist.Artist
+        Lines, shapes and labels of the axes.
+    """
+    transform = Affine2D().rotate(-angle) + ax.transData
+    for artist in artists:
+        if isinstance(artist, Annotation):
+            artist.xycoords = transform
+            if artist.anncoords == "data":  # the tail of an arrow
+                artist.anncoords = transform
+        else:
+            artist.set_transform(transform)
 
 
 def _arrow(style: str, color: str, width: float) -> dict[str, Any]:

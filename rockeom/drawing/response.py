@@ -11,8 +11,10 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
+from rockeom.motion.slope import WORLD
 from rockeom.numbers.checks import number, require
 from rockeom.simulation.response import Response
+from rockeom.structures.slope import overturning_angles
 
 Draw = Callable[[Axes, Response], None]
 
@@ -58,7 +60,8 @@ def plot_response(
     Notes
     -----
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
-    overturning angles within reach of the rotation are dashed. Impacts are drawn as high as the
+    overturning angles within reach of the rotation are dashed. A tie that breaks has a cross.
+    Impacts are drawn as high as the
     angular velocity just before them, so that the endless small ones before rest do not hide the
     large ones. In the lowest row each contact has a bar where it is closed, with a black one below
     where it slides.
@@ -119,17 +122,19 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
     contacts = style.contacts(run)
     rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
+    rows += [(_ties, 1.0)] if run.ties else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
     return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
 def _ground(ax: Axes, run: Response) -> None:
     scale = style.ground_scale(run)
-    ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label="horizontal")
+    across, up = ("along", "normal") if run.slope else ("horizontal", "vertical")
+    ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label=across)
     ax.set_ylabel("ground\nacceleration [g]")
-    if run.vertical is not None:
+    if run.vertical is not None or (run.slope and run.ground_axes == WORLD):
         vertical = run["vertical_ground_acceleration"] / scale
-        ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label="vertical")
+        ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label=up)
         style.legend_above(ax)
 
 
@@ -155,13 +160,14 @@ def _others(run: Response, unit: str) -> list[str]:
 
 def _overturning_angles(ax: Axes, run: Response) -> None:
     """A scale of theta/alpha where one alpha is that of both sides; dashed lines within reach."""
-    left, right = run.structure.overturning_angles or (np.nan, np.nan)
+    left, right = overturning_angles(run.structure, run.slope) or (np.nan, np.nan)
     if not np.isfinite(left + right):
         return
     low, high = ax.get_ylim()
     reached = [angle for angle in (-left, right) if low < angle < high]
     for angle in reached:
-        label = r"$\alpha$" if angle == reached[0] else None
+        name = "overturning angle" if run.slope else r"$\alpha$"
+        label = name if angle == reached[0] else None
         ax.axhline(angle, color=style.INK, lw=0.8, ls="--", zorder=1, label=label)
     if np.isclose(left, right, rtol=1e-9):
         functions = (lambda y: y / left, lambda y: y * left)
@@ -186,6 +192,15 @@ def _uplift(ax: Axes, run: Response) -> None:
 
 
 _OF_CONTACTS = (*style.FEET.values(), *style.OTHERS)
+
+
+def _ties(ax: Axes, run: Response) -> None:
+    """Forces of ties, with a cross where one breaks."""
+    names = {f"{name}_force": name.replace("_", " ") for name in run.ties}
+    draw_curves(ax, run, names, "force of ties", style.strokes(style.OTHERS))
+    for line, tie in zip(ax.lines, run.ties.values(), strict=False):
+        if tie.broke_at is not None:
+            ax.plot(tie.broke_at, tie.largest_force, "x", color=str(line.get_color()), ms=6)
 
 
 def _impacts(ax: Axes, run: Response) -> None:

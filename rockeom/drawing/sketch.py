@@ -10,8 +10,10 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
 from rockeom.drawing.checks import check_drawn
+from rockeom.motion.slope import slope_angle
+from rockeom.numbers.checks import number
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import BODIES, Member, legs, places, positions_of, rotations_of
+from rockeom.structures.positions import NO_FEET, Member, legs, places, positions_of, rotations_of
 
 
 @style.styled
@@ -21,6 +23,7 @@ def draw_structure(
     state: Mapping[str, float] | None = None,
     rotation: float = 0.0,
     ax: Axes | None = None,
+    slope: float | str = 0.0,
 ) -> Figure:
     """Draw the bodies, the feet and the ground of a structure, in any state.
 
@@ -35,6 +38,8 @@ def draw_structure(
         Value of the coordinate that overturns, alone [rad, or its unit].
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; a new figure if not given.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg".
 
     Returns
     -------
@@ -51,7 +56,8 @@ def draw_structure(
     Notes
     -----
     Bodies, contacts and members are drawn as they are declared: a body without an outline as a
-    mass, and whatever joins bodies where the declaration has `members`.
+    mass, and whatever joins bodies where the declaration has `members`. A tie that is slack is
+    dashed, one that has broken has a gap; an arrow shows a push while it acts, a diamond its place.
 
     Examples
     --------
@@ -65,7 +71,7 @@ def draw_structure(
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     ax = ax or style.new_figure(2.6, 3.4).add_subplot()
     y = structure.state(named | dict(state or {}))
-    Sketch(structure, y, structure.mode_number(y)).draw(ax)
+    Sketch(structure, y, structure.mode_number(y)).draw(ax, number("slope", slope_angle(slope)))
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
@@ -87,9 +93,14 @@ class _Pose(NamedTuple):
 
     def at(self, name: str, points: np.ndarray) -> np.ndarray:
         """(n, 2) where points of a body are, or of the ground."""
-        if name not in self.angles:
+        if name not in self.places:
             return points
-        return free_body.turned(points, (0.0, 0.0), self.angles[name]) + self.places[name]
+        return free_body.turned(points, (0.0, 0.0), self.angles.get(name, 0.0)) + self.places[name]
+
+    def ends(self, member: Member) -> tuple[np.ndarray, np.ndarray]:
+        """Both ends (2,) of a member."""
+        start = self.at(member.start, member.start_at[None])
+        return start[0], self.at(member.end, member.end_at[None])[0]
 
     def along(self, name: str, way: np.ndarray) -> np.ndarray:
         """(2,) a direction that turns with a body."""
@@ -108,11 +119,13 @@ class Sketch:
         m = structure.module
         self.shapes, self.names = structure.shapes, m.POSITIONS
         self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
-        self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
+        self.pushes = [n for n, kind in self.kinds.items() if kind == "push"]
+        self.feet = [n for n, kind in self.kinds.items() if kind not in NO_FEET]
         upright = structure.state({})
         self.now, self.legs = _pose(structure, mode, y), legs(structure, mode, y)
         self.rest = _pose(structure, structure.mode_number(upright), upright)
-        self.gaps = _gaps(structure, mode, y)
+        self.gaps, self.forces = _gaps(structure, mode, y), _forces(structure, mode, y)
+        self.broken = {name for name, value in zip(m.STATES, y, strict=True) if value}
         drawn = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
         self.extent = np.vstack([*self.rest.places.values(), *drawn])
         self.size = float(np.ptp(self.extent, axis=0).max()) or 1.0
@@ -136,7 +149,9 @@ class Sketch:
         shifts = next(iter(self.copies.values()), np.zeros(1))
         return self.now.places[name] + np.column_stack([shifts, np.zeros(len(shifts))])
 
-    def draw(self, ax: Axes) -> None:
+    def draw(self, ax: Axes, slope: float = 0.0) -> None:
+        """Draw it; slope : of the ground [rad]."""
+        others = {*ax.get_children()}
         for member in self.shapes.members:
             self._member(ax, member)
         for name in self.now.angles:
@@ -145,7 +160,13 @@ class Sketch:
         for name in self.feet:
             for at in self.feet_at(name):
                 self._foot(ax, name, at)
+        for name in self.pushes:
+            self._push(ax, name)
         self._ground(ax)
+        if slope:
+            free_body.tilt(ax, slope, [x for x in ax.get_children() if x not in others])
+            ax.relim()
+            ax.autoscale_view()
 
     # -- bodies
 
@@ -176,7 +197,7 @@ class Sketch:
         elif kind in _WALLS:
             out, half = _WALLS[kind], 0.2 * self.size
             behind = x + out * self.gaps[name]
-            free_body.wall(ax, y - half, y + half, behind, 0.05 * out * self.size)
+            free_body.wall(ax, min(y - half, 0.0), y + half, behind, 0.05 * out * self.size)
         elif kind == "foot":
             self.supports.append((x, y - self.gaps[name]))
         ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
@@ -199,24 +220,29 @@ class Sketch:
     # -- what joins bodies
 
     def _member(self, ax: Axes, member: Member) -> None:
-        start = self.now.at(member.start, member.start_at[None])[0]
-        end = self.now.at(member.end, member.end_at[None])[0]
-        for name, at, other in ((member.start, start, end), (member.end, end, start)):
-            if name not in self.now.angles:
-                self._anchor(ax, member.kind, at, other - at)
+        start, end = self.now.ends(member)
+        first, last = self.rest.ends(member)
+        ends = (member.start, start, last - first), (member.end, end, first - last)
+        for name, at, away in ends:
+            if self.kinds.get(name, "end") == "end":  # of an element, or on the ground
+                self._anchor(ax, member.kind, at, away)
         for shift in self.copies.get(member.start, np.zeros(1)):
             away = np.array([shift, 0.0])
             self._line(ax, member, start + away, end + away)
 
     def _anchor(self, ax: Axes, kind: str, at: np.ndarray, away: np.ndarray) -> None:
-        """Where the ground holds a member: below a column, next to a level spring."""
+        """The ground or a wall, which holds the fixed end of a member."""
         if kind in _BENDING:
             self.supports.append((at[0], at[1]))
             ax.plot(*at, "s", color=style.INK, ms=4, zorder=4)
-        elif abs(away[0]) > abs(away[1]):
+        elif abs(away[0]) > abs(away[1]) and (at[1] > 0.0 or kind == "spring"):
             half, behind = 0.12 * self.size, -0.05 * self.size * np.sign(away[0])
             free_body.wall(ax, at[1] - half, at[1] + half, at[0], behind)
             self.extent = np.vstack([self.extent, at])
+        elif kind in ("tendon", "damper"):
+            ax.plot(*at, "s", color=style.INK, mfc="white", ms=7, zorder=3)
+            if at[1] == 0.0:
+                self.supports.append((at[0], at[1]))
 
     def _line(self, ax: Axes, member: Member, start: np.ndarray, end: np.ndarray) -> None:
         if member.kind in _BENDING:
@@ -225,16 +251,36 @@ class Sketch:
             free_body.spring(ax, start, end, 0.05 * self.size)
         elif member.kind == "damper":
             free_body.damper(ax, start, end, 0.05 * self.size)
+        elif member.kind == "wall":
+            depth = 0.05 * self.size * np.sign(start[1] - end[1])
+            free_body.wall(ax, start[1], end[1], start[0], depth)
+        elif member.start in self.forces:
+            self._tie(ax, member.start, start, end)
         else:
             color, width = (_BLUE, 4.0) if member.kind == "rod" else (style.INK, 1.6)
             ax.plot(*np.transpose([start, end]), color=color, lw=width, solid_capstyle="butt")
 
+    def _tie(self, ax: Axes, name: str, start: np.ndarray, end: np.ndarray) -> None:
+        """A line where it pulls, a dashed one where it is slack, one with a gap once it broke."""
+        broken, tight = f"{name}_broken" in self.broken, self.forces[name] > 0.0
+        line, width = ("-" if tight or broken else (0, (4, 3))), 1.6 if tight else 0.9
+        stub = 0.4 * (end - start)
+        of_broken = (start, start + stub), (end - stub, end)
+        for ends in of_broken if broken else ((start, end),):
+            ax.plot(*np.transpose(ends), color=style.INK, lw=width, ls=line)
+        ax.plot(*start, "o", color=style.INK, ms=3, zorder=4)
+
+    def _push(self, ax: Axes, name: str) -> None:
+        """An arrow that ends where a push acts, while it does; else its place."""
+        at, force = self.now.places[name], self.forces[name]
+        ax.plot(*at, "D", color=free_body.FORCE, mfc="white", ms=4, zorder=4)
+        if force:
+            free_body.arrow(ax, at - [0.25 * self.size * np.sign(force), 0.0], at)
+
     def _bent(self, member: Member, start: np.ndarray, end: np.ndarray) -> np.ndarray:
         """(n, 2) a beam whose ends turn with the bodies at which they are, or whose end is free."""
-        way = (
-            self.rest.at(member.end, member.end_at[None])
-            - self.rest.at(member.start, member.start_at[None])
-        )[0]
+        first, last = self.rest.ends(member)
+        way = last - first
         leaving, arriving = (self.now.along(name, way) for name in (member.start, member.end))
         if member.kind == "cantilever":
             arriving = (3 * (end - start) - leaving) / 2
@@ -283,6 +329,14 @@ def _pose(structure: Structure, mode: int, y: np.ndarray) -> _Pose:
     (pose,) = places(m, np.array([mode]), y[None], structure.vector)
     angles = {name: float(angle) for name, angle in rotations_of(m, pose).items()}
     return _Pose(positions_of(m, pose), angles)
+
+
+def _forces(structure: Structure, mode: int, y: np.ndarray) -> dict[str, float]:
+    """Forces of elements, by name [N]."""
+    m = structure.module
+    values = np.zeros(4 * len(m.ELEMENT_NAMES))
+    m.elements(mode, y, structure.vector, values)
+    return dict(zip(m.ELEMENT_NAMES, values[1::4].tolist(), strict=True))
 
 
 def _gaps(structure: Structure, mode: int, y: np.ndarray) -> dict[str, float]:

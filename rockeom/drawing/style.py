@@ -150,6 +150,8 @@ def name_of(run: Response) -> str:
 def title_of(run: Response) -> str:
     """Structure and motion."""
     structure = name_of(run)
+    if run.slope:
+        structure += f" on a slope of {np.degrees(run.slope):.3g} degrees"
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
 
 
@@ -181,7 +183,7 @@ def rate_of(run: Response) -> tuple[str, str]:
 def largest(run: Response, name: str, factor: float, unit: str) -> str:
     """The largest size of a quantity, found within the steps and times a factor, in words."""
     size = abs(run.extremes(name).peak) * factor
-    shown = f"{size:.3g}" if size < 1e3 else f"{size:.0f}"
+    shown = f"{size:.3g}" if size < 999.5 else f"{size:.0f}"
     return f"largest {shown}{'' if unit == '-' else f' {unit}'}"
 
 
@@ -229,8 +231,12 @@ def bars(spans: np.ndarray) -> list[tuple[float, float]]:
 
 
 def full_contact(run: Response) -> np.ndarray:
-    """Starts and ends (k, 2) of the times in which each contact is closed."""
-    return spans_in(run, np.all([states > 0 for states in contacts(run).values()], axis=0))
+    """Starts and ends (k, 2) of the times in which each contact is closed, but for walls."""
+    m = run.structure.module
+    kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
+    closed = {name: states > 0 for name, states in contacts(run).items()}
+    feet = [one for name, one in closed.items() if "wall" not in kinds.get(name, "")]
+    return spans_in(run, np.all(feet or [*closed.values()], axis=0))
 
 
 def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:

@@ -18,8 +18,12 @@ import xarray as xr
 
 from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
+from rockeom.modelling.facade import Facade
+from rockeom.modelling.held_block import HeldBlock
+from rockeom.modelling.isolated import IsolatedBlocks
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import InputError, InputTypeError, described, is_number
@@ -34,12 +38,14 @@ from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.restraints import RESTRAINTS
 from rockeom.version import VERSION
 
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
 
-_OTHERS = {**SUPPORTS, **{name: made for made, name in NAMES.items()}}
+_READY = {one.model: one for one in (Facade, HeldBlock, IsolatedBlocks)}
+_OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 
@@ -289,6 +295,8 @@ class _File:
             record=self.record(n, n_modes, definition["quantities"]),
             events=Events(structure, EventColumns(times, kinds, states)),
             end=self.array("end", n),
+            slope=definition.get("slope", 0.0),
+            ground_axes=definition.get("ground_axes", SLOPE),
         )
 
 

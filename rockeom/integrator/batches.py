@@ -19,7 +19,7 @@ from rockeom.codes import (
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
 from rockeom.integrator.extremes import leans_most, own_time
-from rockeom.integrator.ground import ground_acceleration, segment_for
+from rockeom.integrator.ground import ground_acceleration, rows_after, segment_for
 from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
 from rockeom.integrator.provided import (
     KINDS,
@@ -50,7 +50,8 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
     """Whether free motion from here leads to the ground, and not back upright.
 
     It is followed until the next impact, or, on springs, while the structure leans further and has
-    not been upright. case : with tables of the ground at rest. reach [s] : how long at a time.
+    not been upright. case : with tables of ground that does not shake. reach [s] : how long at a
+    time.
     """
     if standing(mode, y, case.p):
         return False
@@ -133,10 +134,9 @@ def integrate_many(first: int, batch: Batch) -> int:
             left -= status[STEPS]
             count_impacts(batch, n, before, recorder, scratch[_POWERS:_GUARDS])
         if code == COMPLETED and batch.quiet_from[n] <= batch.t_end[n]:
-            still = batch.horizontal[:0]
             free = case._replace(
-                horizontal=still,
-                vertical=still,
+                horizontal=rows_after(case.horizontal),
+                vertical=rows_after(case.vertical),
                 h_max=np.inf,
                 fixed=0,
                 rest_tolerance=REST_AFTER_MOTION,

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from rockeom.codes import WITH_CONSTANT
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import ROUNDER
 from rockeom.integrator.provided import STAGE_TIMES
@@ -33,7 +34,13 @@ def sine(x):
 
 def pulse(row, t):
     """Ground acceleration at t by a curved law, see `ground_acceleration`."""
-    kind = row[2]
+    if row[2] > WITH_CONSTANT:  # on ground that slopes
+        return row[6] + curved(row, row[2] - WITH_CONSTANT, t)
+    return curved(row, row[2], t)
+
+
+def curved(row, kind, t):
+    """Ground acceleration at t by the law of a kind."""
     tau = t - row[0]
     if kind == 1.0:  # sine
         return row[3] * sine(row[4] * tau + row[5])
@@ -114,9 +121,17 @@ def segment_of(table, n):
 
 def segment_for(table, n, t):
     """As `segment_at`, but the very end of a motion still belongs to its last segment."""
-    if table.shape[0] > 0 and t == table[-1, 1]:
-        return table.shape[0] - 1, segment_of(table, table.shape[0] - 1)
+    last = table.shape[0] - rows_after(table).shape[0] - 1
+    if last >= 0 and t == table[last, 1]:
+        return last, segment_of(table, last)
     return segment_at(table, n, t)
+
+
+@inlined
+def rows_after(table):
+    """Rows of a table behind its motion: the one without end on ground that slopes, or none."""
+    n = table.shape[0]
+    return table[n - 1 :] if n > 0 and table[n - 1, 1] == np.inf else table[:0]
 
 
 @inlined

@@ -99,7 +99,11 @@ def quintics_through_ends(h, y, y_new, k, quintics):
 
 
 def extrapolate(h, move, y, y_new, k):
-    """Move the end of a step by a small part of it, on the quintics through both ends."""
+    """Move the end of a step by a small part of it, on the quintics through both ends.
+
+    A rate that stays the same in the step keeps its value to the last bit, as that of a tie that
+    has broken must: its quintic has the rounding errors of the coordinate, divided by the step.
+    """
     n = N_STATES // 2
     part = move / h
     for i in range(n):
@@ -107,4 +111,5 @@ def extrapolate(h, move, y, y_new, k):
         a0, a1 = h * h * k[n + i], h * h * k[N_STAGES * N_STATES + n + i]
         jerk = 60.0 * (y_new[i] - y[i]) - 36.0 * v1 - 24.0 * v0 + 9.0 * a1 - 3.0 * a0
         y_new[i] += part * (v1 + part * (0.5 * a1 + part * jerk / 6.0))
-        y_new[n + i] += part * (a1 + 0.5 * part * jerk) / h
+        if v1 != v0 or a1 != 0.0 or a0 != 0.0:
+            y_new[n + i] += part * (a1 + 0.5 * part * jerk) / h

@@ -17,13 +17,14 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_contact_law, check_values
-from rockeom.structures.supports import Support, SupportedStructure
+from rockeom.structures.restraints import parameters_of
+from rockeom.structures.supports import HeldStructure, Support
 
 
 class _Derived(Support):
     """A support that is a part of the derivation."""
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         return module_of(superstructure, **arguments, **self.derivation)
 
 
@@ -343,7 +344,7 @@ class Sliding(_Derived):
         return {"support": self.kind} | ({} if self.law == "newton" else {"law": self.law})
 
 
-class ShearFrame(SupportedStructure):
+class ShearFrame(HeldStructure):
     """Frame of any number of storeys, elastic and damped, on a rigid base that rocks.
 
     The states are `theta` [rad] and `u_1`, `u_2`, ... [m], the displacement of each floor relative
@@ -354,6 +355,10 @@ class ShearFrame(SupportedStructure):
     ----------
     support : Support, optional
         Support of the base; rk.Pinned() if not given.
+    restraint : sequence of Strap or Anchor, optional
+        Restraints of the base, on feet of `Sliding`; the point of a strap moves with the base.
+    loads : sequence of Push, optional
+        Forces of time on the base, on feet of `Sliding`.
     masses : sequence of float
         Masses of the floors, from the lowest up [kg].
     heights : sequence of float
@@ -405,7 +410,7 @@ class ShearFrame(SupportedStructure):
         "dampings": "damping",
         "inertias": "inertia",
     }
-    not_numbers = frozenset({*of_each, "support"})
+    not_numbers = frozenset({*of_each, "support", "restraint", "loads"})
     masses: Sequence[float]
     heights: Sequence[float]
     stiffnesses: Sequence[float]
@@ -485,7 +490,8 @@ class ShearFrame(SupportedStructure):
             raise InputError("mode", mode, "ShearFrame.damped").so(
                 f"a frame of {len(self.masses)} storeys has as many"
             )
-        free = dataclasses.replace(self, dampings=[0.0] * len(self.masses), support=None)
+        bare: Any = {"support": None, "restraint": (), "loads": ()}
+        free = dataclasses.replace(self, dampings=[0.0] * len(self.masses), **bare)
         period = free.fixed_base().periods[mode - 1]
         beta = rayleigh_damping(period, number("ratio", ratio, "ShearFrame.damped")).beta
         return dataclasses.replace(self, dampings=[beta * k for k in self.stiffnesses])
@@ -498,7 +504,8 @@ class ShearFrame(SupportedStructure):
         }
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
             values[name] = getattr(self, name)
-        return values | (self.support.parameters() if self.support else {})
+        support = self.support.parameters() if self.support else {}
+        return values | support | parameters_of(*self.restraint, *self.loads)
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

@@ -57,7 +57,7 @@ def _again(module: str, declaration: bytes, values: dict[str, float]) -> Structu
 
 
 @cache
-def module_of(name: str, **arguments: str | int) -> GeneratedModule:
+def module_of(name: str, **arguments: Any) -> GeneratedModule:
     """The generated module of a shipped structure, or of one of a family, by its arguments.
 
     That is derived once on a machine: SymPy is loaded where the module is not kept yet, and only

@@ -289,17 +289,25 @@ def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:
     Raises ValueError where a Mavroeidis-Papageorgiou pulse would begin behind its start: a row
     cannot describe such a part.
     """
-    kept = segments[(segments[:, END] > start) & (segments[:, START] < end)].copy()
-    late = np.maximum(start - kept[:, START], 0.0)
-    kind = kept[:, KIND]
-    if (late[kind == MAVROEIDIS_PAPAGEORGIOU] > 0.0).any():
-        raise ValueError("a Mavroeidis-Papageorgiou pulse has no end without its beginning")
-    kept[:, C0] += np.where(kind == LINEAR, kept[:, C1] * late, 0.0)
-    kept[:, C2] += np.where(kind == SINE, kept[:, C1] * late, 0.0)
-    kept[:, C2] -= np.where((kind == RICKER) | (kind == ANTISYMMETRIC_RICKER), late, 0.0)
+    within = segments[(segments[:, END] > start) & (segments[:, START] < end)]
+    kept = begun_later(within, np.maximum(start - within[:, START], 0.0))
     kept[:, END] = np.minimum(kept[:, END], end) - start
     kept[:, START] = np.append(0.0, kept[:-1, END])
     return kept
+
+
+def begun_later(segments: np.ndarray, late: np.ndarray) -> np.ndarray:
+    """Rows (n, 7) with the constants of what is left of each some time (n,) [s] after its start.
+
+    Raises ValueError as `cut` does.
+    """
+    rows, kind = segments.copy(), segments[:, KIND]
+    if (late[kind == MAVROEIDIS_PAPAGEORGIOU] > 0.0).any():
+        raise ValueError("a Mavroeidis-Papageorgiou pulse has no end without its beginning")
+    rows[:, C0] += np.where(kind == LINEAR, rows[:, C1] * late, 0.0)
+    rows[:, C2] += np.where(kind == SINE, rows[:, C1] * late, 0.0)
+    rows[:, C2] -= np.where((kind == RICKER) | (kind == ANTISYMMETRIC_RICKER), late, 0.0)
+    return rows
 
 
 # -- checks --------------------------------------------------------------------------------------

@@ -33,6 +33,7 @@ from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulate
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.slope import overturning_angles, uplift_accelerations
 
 A4 = (8.27, 11.69)  # in
 SHOWN = 12
@@ -357,7 +358,9 @@ class DesignReport:
             write(path, self.html())
 
 
-def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str, str], ...]:
+def facts_of(
+    structure: Structure, impact: ImpactLaw | None, slope: float = 0.0
+) -> tuple[tuple[str, str], ...]:
     """Parameters of a structure, the acceleration that lifts it and its impact law."""
     m, values = structure.module, structure.parameters()
     words = getattr(structure, "arguments", {})
@@ -366,17 +369,18 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
         for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         if name in values
     }
-    if (full := getattr(structure, "full_height", None)) is not None:  # as the block was given
+    full = getattr(structure, "full_height", None)
+    if full is not None and "half_height" in rows:  # as the block was given
         base, centroid = rows.pop("half_width")[0], rows.pop("half_height")
         rows = {"width": (2 * base, "m"), "height": (full, "m"), "centroid height": centroid} | rows
     facts = [
         (name.replace("_", " "), f"{digits(value, 5)} {unit}".removesuffix(" -"))
         for name, (value, unit) in rows.items()
     ]
-    threshold = structure.uplift_acceleration
-    if threshold is not None and math.isfinite(threshold):
+    threshold = min(uplift_accelerations(structure, slope) or (math.inf,))
+    if math.isfinite(threshold):
         facts.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
-    facts += _angles(structure)
+    facts += _angles(structure, slope)
     if structure.has_impacts:
         facts.append(("law of impact", structure.describe_impact(impact)))
     return tuple(facts)
@@ -531,9 +535,9 @@ def _spread(values: Sequence[float], unit: str) -> str:
     return f"median {median}{unit}, from {least} to {largest}{unit}."
 
 
-def _angles(structure: Structure) -> list[tuple[str, str]]:
+def _angles(structure: Structure, slope: float) -> list[tuple[str, str]]:
     """Overturning angles, one where both sides have the same."""
-    angles = structure.overturning_angles
+    angles = overturning_angles(structure, slope)
     if angles is None or not np.isfinite(angles).all():
         return []
     if np.isclose(*angles, rtol=1e-9):

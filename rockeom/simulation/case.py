@@ -2,26 +2,26 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, NamedTuple, Self
 
 import numpy as np
 
+from rockeom.codes import WITH_CONSTANT
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
+from rockeom.motion.slope import AXES, SLOPE, slope_angle
 from rockeom.numbers import explained
 from rockeom.numbers.batch import values
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, require_type
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
+from rockeom.simulation.ground import Ground, ground_of
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.parameters import named_states
-
-STILL = np.empty((0, 7))
-"""The table of ground that stands still, which all share."""
-STILL.flags.writeable = False
+from rockeom.structures.slope import standing_on
 
 
 class Problem(NamedTuple):
@@ -226,11 +226,17 @@ class Case:
         Vertical ground motion.
     mode : str, optional
         Name of the mode at the start, where the state leaves it open.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg" or "1 in 20".
+    ground_axes : str, optional
+        Axes of the ground motions, "slope" or "world".
 
     Raises
     ------
     TypeError
         For anything but a structure, a ground motion or a mapping of states.
+    InputError
+        For a slope that is none, or not between -90 and 90 degrees.
 
     Examples
     --------
@@ -249,8 +255,13 @@ class Case:
     duration: float | None = None
     vertical: GroundMotion | None = None
     mode: str | None = None
+    slope: Any = 0.0
+    ground_axes: str = SLOPE
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "slope", slope_angle(self.slope))
+        axes = self.ground_axes
+        require(axes in AXES, "", "ground_axes", axes, f"choose {' or '.join(map(repr, AXES))}")
         swapped: tuple[object, object] = self.structure, self.motion
         if isinstance(swapped[0], GroundMotion) and isinstance(swapped[1], Structure):
             raise InputTypeError("structure").says(
@@ -286,6 +297,11 @@ class Case:
         object.__setattr__(self, "motion", recording.horizontal[0])
         object.__setattr__(self, "vertical", recording.vertical)
 
+    @cached_property
+    def ground(self) -> Ground:
+        """The ground motions on the slope."""
+        return ground_of(self)
+
     def problem(self) -> Problem:
         """Case in numbers.
 
@@ -299,8 +315,10 @@ class Case:
         ValueError
             For a state or a duration that cannot be.
         """
-        structure, motion = self.structure, self.motion
+        structure, motion, ground = self.structure, self.motion, self.ground
         y0 = structure.state({} if self.initial is None else self.initial)
+        if self.initial is None and not ground.is_level:
+            y0 = standing_on(structure, y0, ground.weight)
         for name, fallen in structure.falls.items():
             value = y0[structure.states.index(name)]
             if abs(value) > fallen * (1.0 + AT_THE_END):
@@ -313,7 +331,8 @@ class Case:
         end = motion.duration if self.duration is None else number("duration", self.duration)
         require(isfinite(end) and end > 0, "", "duration", end, "it must be finite and positive")
         law, ratio = structure.law(self.impact)
-        quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
+        horizontal, vertical = ground.tables
+        quiet = ground.quiet_from
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
         return Problem(
@@ -324,8 +343,8 @@ class Case:
             law=law,
             ratio=ratio,
             fallen=structure.overturning_rotation,
-            horizontal=ground_table(motion),
-            vertical=ground_table(self.vertical),
+            horizontal=horizontal,
+            vertical=vertical,
             end=end,
             quiet_from=quiet,
         )
@@ -340,12 +359,13 @@ class Case:
         structure, y0 = self.structure, value_of(y0)
         p = value_of(structure.vector)
         m = structure.module_for(y0, p)
-        lift = 0.0 if self.vertical is None else next(_pushes(self.vertical))
-        first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
+        across, up = self.ground.tables
+        lift = next(_pushes(up), 0.0)
+        first = next((push for push in _pushes(across) if push != 0.0), 0.0)
         turn, size, rate = 0.0, 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
             mode = structure.mode_number(y0, None, partial(float, side))
-            m.rates(mode, y0, p, next(_pushes(self.motion)), lift, rate)
+            m.rates(mode, y0, p, next(_pushes(across)), lift, rate)
             turn += rate[m.ROTATION_RATE]
             size += sum(map(abs, rate[len(y0) // 2 :]))
         return (np.sign(turn) if abs(turn) > _ROUNDING * size else 0.0) or -np.sign(first)
@@ -364,18 +384,15 @@ def _check_motion(name: str, motion: Any) -> None:
         )
 
 
-def _pushes(motion: GroundMotion) -> Iterator[float]:
+def _pushes(table: np.ndarray) -> Iterator[float]:
     """The ground acceleration of each segment, a thousandth of its own time behind its start.
 
     Neither at the start, where a sine is zero, nor in its middle, where it may be so again.
     """
-    for row in motion.segments:
+    for row in table:
         start, end, kind, c0, c1, c2, c3 = row.tolist()
         curved = kind != LINEAR and c1 != 0.0
         tau = 1e-3 * min(end - start, 1.0 / abs(c1) if curved else 1e9)
-        yield value_of(within(kind, c0, c1, c2, c3, tau))
-
-
-def ground_table(motion: GroundMotion | None) -> np.ndarray:
-    """(m, 7) rows of a motion for the compiled loop; none for ground that stands still."""
-    return STILL if motion is None else motion.segments
+        shape = kind - WITH_CONSTANT if kind > WITH_CONSTANT else kind
+        constant = 0.0 if shape == kind else c3
+        yield value_of(within(shape, c0, c1, c2, c3, tau) + constant)

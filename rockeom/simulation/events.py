@@ -17,10 +17,13 @@ from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import filled
 from rockeom.structures.modes import modes_of
 from rockeom.structures.pickled import made_of
-from rockeom.structures.searched_modes import HAPPENED, landing_speeds
+from rockeom.structures.searched_modes import HAPPENED, breaking, landing_speeds
 
 KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 """Words of the kinds of events, by number."""
+
+BREAK = "break"
+"""Word for the switch in which a tie breaks."""
 
 MEASURABLE = 1e-3
 """Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -36,8 +39,8 @@ class Event:
         Time [s].
     kind : str
         "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
-        infinitely many impacts). Where contacts may open and slide: "landing", "lifting", "slip
-        begins", "slip ends".
+        infinitely many impacts); "break" of a tie. Where contacts may open and slide: "landing",
+        "lifting", "slip begins", "slip ends".
     mode_before : str
         Name of the mode before.
     mode_after : str
@@ -138,11 +141,14 @@ class Events(Sequence[Event]):
         module, states = self.structure.module, self.structure.states
         p = self.structure.vector
         points = modes_of(module).subjects(module, self.columns.kinds, self.columns.states, p)
+        ties = breaking(module)
         rows = zip(*self.columns, points, strict=True)
         return tuple(
             Event(
                 float(time),
-                KINDS[kind],
+                BREAK
+                if contact in ties and pair[1, ties[contact]] > pair[0, ties[contact]]
+                else KINDS[kind],
                 module.MODES[before],
                 module.MODES[after],
                 dict(zip(states, pair[0].tolist(), strict=True)),

@@ -15,6 +15,8 @@ Both are judged by small motion at rest, see `Structure.small_motion`.
 
 from typing import NamedTuple
 
+import numpy as np
+
 from rockeom.simulation.case import Problem
 from rockeom.simulation.options import SolverOptions
 from rockeom.structures.base import Structure
@@ -58,7 +60,8 @@ def chosen(structure: Structure, problem: Problem, options: SolverOptions) -> Ch
         if explicit > MANY and explicit > FAR * implicit:
             return Choice("Radau", f"stability would bound explicit steps by {decay:.1e} 1/s")
     if segments and rtol >= LOOSE:
-        step = max(table[-1, 1] for table in tables if len(table)) / segments
+        ends = (row[1] if row[1] < np.inf else row[0] for table in tables for row in table[-1:])
+        step = max(ends) / segments
         if step * max(structure.small_motion) <= rtol**0.2:
             return Choice("RK45", "order 5 does for samples so close at this tolerance")
     return DEFAULT

@@ -4,18 +4,23 @@ Each function returns the sentences of one question, none where the values are p
 """
 
 import math
+from typing import cast
 
 import numpy as np
 
 from rockeom.codes import UPLIFT
+from rockeom.integrator.schema import SearchedModes
 from rockeom.motion import GroundMotion
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.events import EventColumns, Impacts
 from rockeom.simulation.steps import Rows
-from rockeom.simulation.support import Support
+from rockeom.simulation.support import Support, surfaces
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.evaluation import at_states
 from rockeom.structures.impact_laws import Impulsive
+from rockeom.structures.positions import places, positions_of
+from rockeom.structures.searched_modes import Points, friction_of
+from rockeom.structures.slope import overturning_angles, uplift_accelerations
 from rockeom.structures.units import is_dimensionless
 
 SHARE_OF_UPLIFT = 0.5
@@ -131,8 +136,37 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
     )
 
 
+def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
+    """Ground on which the structure cannot stand, or on which its feet slide.
+
+    Nothing is said of one that ties hold.
+    """
+    held = getattr(structure, "restraint", None)
+    if not slope or held:
+        return ()
+    said, bare = [], structure.unrestrained or structure
+    uplifts, alpha = uplift_accelerations(bare, slope), structure.slenderness or math.inf
+    if min(uplifts) <= 0.0 if uplifts else structure.has_landings and abs(slope) >= alpha:
+        said.append("turns downhill about its edge without any shaking")
+    friction, least = math.inf, abs(math.tan(slope))
+    if structure.has_landings:
+        module = cast(SearchedModes, structure.module)
+        each = friction_of(module, structure.vector)
+        points = Points(module, structure.state({}), structure.vector)
+        slides = points.contacts().closed.astype(bool) & points.tangential.any(axis=-1)
+        groups = [[i for i in of if slides[i]] for of in surfaces(module).values()]
+        friction = min((each[of].max() for of in groups if of), default=math.inf)
+    if friction < least:
+        said.append(
+            f"slides downhill, since its friction, {friction:.4g}, is below {least:.4g}, the "
+            "tangent of the slope"
+        )
+    words = f"On a slope of {with_degrees(slope, 'rad')} it cannot stand: it"
+    return tuple(f"{words} {one}." for one in said)
+
+
 def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
-    """An uplift of both feet at once, of which their order decides."""
+    """An uplift of both feet at once, of which their order decides, on level ground."""
     for t, _, (before, _) in zip(*events.of(UPLIFT), strict=True):
         if not before.any() and motion.acceleration(t) == 0.0:
             return (
@@ -142,20 +176,46 @@ def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
     return ()
 
 
-def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:
+def beyond_wall(structure: Structure, rows: Rows) -> tuple[str, ...]:
+    """A lower corner that is beyond the wall that the upper one alone may strike."""
+    m = structure.module
+    if "wall_gap" not in m.PARAMETERS or "right" not in m.POSITIONS:
+        return ()
+    at = places(m, rows.mode, rows.y, structure.vector)
+    corner = positions_of(m, at)["right"][:, 0]
+    wall = structure.positions({})["right"][0] + structure.parameters()["wall_gap"]
+    beyond = float(corner.max() - wall)
+    if beyond <= _BEYOND_WALL * abs(wall):
+        return ()
+    return (
+        f"The lower corner is up to {1e3 * beyond:.3g} mm beyond the wall, which the upper corner "
+        "alone strikes: take a gap that the base does not slide through.",
+    )
+
+
+_BEYOND_WALL = 1e-9
+"""Part of the distance of a wall that is rounding."""
+
+
+def beyond_balance(structure: Structure, rows: Rows, slope: float) -> tuple[str, ...]:
     """A start from which the structure falls over when it is released at rest."""
     m, start = structure.module, rows.y[0]
-    if not (structure.rocks_on_rigid_ground and start[m.ROTATION]):
+    rotation = float(start[m.ROTATION])
+    if not (structure.rocks_on_rigid_ground and rotation):
         return ()
-    around = np.array([start, start])
-    around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
-    energy = at_states(structure.module, structure.vector, "energies", rows.mode[[0, 0]], around)
-    potential = energy["gravitational_energy"] + energy["elastic_energy"]
-    if potential[1] >= potential[0]:
+    if slope:
+        bounds = overturning_angles(structure, slope) or (math.inf, math.inf)
+        returns = abs(rotation) <= bounds[rotation > 0.0]
+    else:
+        around, modes = np.array([start, start]), rows.mode[[0, 0]]
+        around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
+        energy = at_states(structure.module, structure.vector, "energies", modes, around)
+        potential = energy["gravitational_energy"] + energy["elastic_energy"]
+        returns = potential[1] >= potential[0]
+    if returns:
         return ()
     name, unit = m.STATES[m.ROTATION], m.STATE_UNITS[m.ROTATION]
-    rotation = float(start[m.ROTATION])
     text = f"The initial {name}, {with_degrees(rotation, unit)}, lies beyond the overturning angle"
-    if (angles := structure.overturning_angles) is not None:
+    if (angles := overturning_angles(structure, slope)) is not None:
         text += f", {with_degrees(angles[rotation > 0.0], unit)}"
     return (f"{text}: released at rest it falls over.",)

@@ -6,7 +6,6 @@ deformations of elements, the forces of the ground on the whole structure, and w
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
@@ -14,15 +13,14 @@ import numpy as np
 
 from rockeom.integrator.program import Program, program
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import InputError, described, near
-from rockeom.simulation.case import ground_table
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
+from rockeom.simulation.ground import Ground
 from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import RATIO, rotation_ratio
 from rockeom.simulation.steps import Evaluate, Rows, Steps
-from rockeom.simulation.works import Works, names_of_works
+from rockeom.simulation.works import Works, names_of_losses, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
@@ -57,7 +55,7 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
             for what, unit in OF_ELEMENT.items()
         ],
         BASE: [*_OF_BASE.items()],
-        WORKS: [(name, "J") for name in (*names_of_works(module), "impact_loss")],
+        WORKS: [(name, "J") for name in (*names_of_works(module), *names_of_losses(module))],
         OF_ANGLE: [(RATIO, "-")],
     }
     families_of = {}
@@ -78,24 +76,6 @@ def units_of(module: GeneratedModule) -> dict[str, str]:
 def _word(place: str) -> str:
     """The beginning of the names of the quantities of a place."""
     return place.replace(" ", "_")
-
-
-@dataclass(frozen=True)
-class Ground:
-    """The ground motions of a case."""
-
-    horizontal: GroundMotion
-    vertical: GroundMotion | None
-
-    def __call__(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Accelerations (n,) at times (n,) [m/s2], horizontal and vertical."""
-        across = np.asarray(self.horizontal.acceleration(t))
-        return across, np.zeros(len(t)) if self.vertical is None else self.vertical.acceleration(t)
-
-    @property
-    def tables(self) -> tuple[np.ndarray, np.ndarray]:
-        """(m, 7) segments of both."""
-        return ground_table(self.horizontal), ground_table(self.vertical)
 
 
 class Quantities:
@@ -157,11 +137,15 @@ class Quantities:
         if family == WORKS:
             return self.works.at(rows)
         if family == OF_ANGLE:
-            return {RATIO: rotation_ratio(self.structure, y[:, self.structure.module.ROTATION])}
+            rotation = y[:, self.structure.module.ROTATION]
+            return {RATIO: rotation_ratio(self.structure, rotation, self.ground.slope)}
         if family == ELEMENTS:
             return elements(self.structure.module, self.structure.vector, mode, y)
-        of = _places if family == PLACES else _base
-        return of(self.structure, mode, y, *self.ground(t))
+        if family == PLACES:
+            return _places(
+                self.structure, mode, y, self.ground.accelerations(t), self.ground.weight
+            )
+        return _base(self.structure, mode, y, *self.ground.accelerations(t))
 
     def of_program(self, rows: Rows) -> dict[str, Any]:
         """The main quantities but for the states, at times that do not fall."""
@@ -176,7 +160,7 @@ class Quantities:
             for i, name in enumerate(names)
         }
         quantities["total_energy"] = values[0].sum(axis=1)
-        across, up = self.ground(t)
+        across, up = self.ground.shaking(t)
         return quantities | {"ground_acceleration": across, "vertical_ground_acceleration": up}
 
     def columns(self, names: Sequence[str]) -> Evaluate:
@@ -228,17 +212,20 @@ class Quantities:
     def works(self) -> Works:
         """Works and losses since the start."""
         assert self.events is not None
-        return Works(self.structure, self.ground, self.steps("the work"), self.events)
+        return Works(self.structure, self.ground.accelerations, self.steps("the work"), self.events)
 
 
 # -- places -------------------------------------------------------------------------------------
 
 
 def _places(
-    structure: Structure, mode: np.ndarray, y: np.ndarray, ax: np.ndarray, ay: np.ndarray
-) -> dict[str, np.ndarray]:
+    structure: Structure, mode: np.ndarray, y: np.ndarray, ground: tuple[Any, Any],
+    weight: tuple[float, float],
+) -> dict[str, np.ndarray]:  # fmt: skip
+    """ground : accelerations as equations take them; weight : the part of the weight in them."""
     quantities: dict[str, np.ndarray] = {}
-    moved = motion_of_places(structure.module, structure.vector, mode, y, ax, ay)
+    moved = motion_of_places(structure.module, structure.vector, mode, y, *ground)
+    ax, ay = (of_both - of_weight for of_both, of_weight in zip(ground, weight, strict=True))
     at_rest = _at_rest(structure)
     for i, place in enumerate(structure.module.POSITIONS):
         (x, rise, _), (vx, vy, _), (accx, accy, _) = moved[:, i]
@@ -319,9 +306,11 @@ class Places:
             Accelerations (n, 2) by name [m/s2].
         """
         t, y, mode = self._rows
-        return evaluation.accelerations(
-            self._structure.module, self._structure.vector, mode, y, *self._ground(t)
+        accelerations = evaluation.accelerations(
+            self._structure.module, self._structure.vector, mode, y, *self._ground.accelerations(t)
         )
+        weight = np.array(self._ground.weight)
+        return {name: of_place - weight for name, of_place in accelerations.items()}
 
 
 # -- the ground ---------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ import numpy as np
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.extremes import Extremes
 from rockeom.structures.base import Structure
+from rockeom.structures.slope import overturning_angles
 
 RATIO = "rotation_ratio"
 """Name of theta/alpha among the quantities of a response."""
@@ -56,12 +57,12 @@ class Reserve(NamedTuple):
         return f"Largest theta/alpha: {self.ratio:.3g}; {angle}. Reserve: {left}."
 
 
-def reserve_of(structure: Structure, rotation: Extremes) -> Reserve | None:
+def reserve_of(structure: Structure, rotation: Extremes, slope: float = 0.0) -> Reserve | None:
     """The reserve of a motion by the extremes of its rotation; None where there is no angle."""
-    if (angles := structure.overturning_angles) is None:
+    if (angles := overturning_angles(structure, slope)) is None:
         return None
     sides = (
-        Reserve(max(size, 0.0) / angle if angle else math.nan, side, time, angle)
+        Reserve(max(size, 0.0) / angle if angle else math.inf, side, time, angle)
         for size, side, time, angle in (
             (-rotation.minimum, "left", rotation.minimum_time, angles[0]),
             (rotation.maximum, "right", rotation.maximum_time, angles[1]),
@@ -71,8 +72,8 @@ def reserve_of(structure: Structure, rotation: Extremes) -> Reserve | None:
     return nearest if math.isfinite(nearest.ratio) and math.isfinite(nearest.angle) else None
 
 
-def rotation_ratio(structure: Structure, rotation: np.ndarray) -> np.ndarray:
+def rotation_ratio(structure: Structure, rotation: np.ndarray, slope: float = 0.0) -> np.ndarray:
     """Rotations (n,) over the overturning angle of their side, with their sign."""
-    angles = structure.overturning_angles
+    angles = overturning_angles(structure, slope)
     assert angles is not None
     return rotation / np.where(rotation < 0.0, *angles)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rockeom.motion import GroundMotion
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of, require
 from rockeom.numbers.degrees import with_degrees
@@ -19,18 +20,21 @@ from rockeom.numbers.pictures import picture
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
 from rockeom.simulation.extremes import Extremes
+from rockeom.simulation.ground import Ground, ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
-from rockeom.simulation.quantities import Ground, Places, Quantities
+from rockeom.simulation.quantities import Places, Quantities
 from rockeom.simulation.recorder import Samples
 from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
+from rockeom.simulation.ties import YIELDS, Samples as OfTie, TieRecord, states_of, tie_record
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.pickled import made_of
 from rockeom.structures.searched_modes import assumption
+from rockeom.structures.slope import uplift_accelerations
 from rockeom.structures.units import is_dimensionless
 
 if TYPE_CHECKING:
@@ -114,6 +118,10 @@ class Response:
         Transitions between modes, of which `impacts` are the most asked for.
     end : ndarray
         Last state (N,).
+    slope : float, optional
+        Slope of the ground [rad].
+    ground_axes : str, optional
+        Axes of the ground motions, see `simulate`.
 
     Examples
     --------
@@ -139,6 +147,8 @@ class Response:
     record: Steps | Samples
     events: Events
     end: np.ndarray
+    slope: float = 0.0
+    ground_axes: str = SLOPE
 
     __getstate__ = made_of
 
@@ -215,9 +225,9 @@ class Response:
         columns = self.events.columns
         return Quantities(self.structure, self._ground, method, self.record, columns)
 
-    @property
+    @cached_property
     def _ground(self) -> Ground:
-        return Ground(self.motion, self.vertical)
+        return ground_of(self)
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -361,6 +371,21 @@ class Response:
         return Places(self.structure, self._ground, self._rows)
 
     @cached_property
+    def ties(self) -> dict[str, TieRecord]:
+        """Largest force and elongation, dissipation and break of each `Tie`, by its name."""
+        module = self.structure.module
+        names = getattr(module, "TIES", ())
+        wanted = [f"{name}_{what}" for name in names for what in ("force", "elongation")]
+        largest = self.extremes_of(wanted) if names else {}
+        return {
+            name: tie_record(
+                module, name, self.events.columns, OfTie(self.t, self[f"{name}_force"]), largest,
+                float(self[f"{name}_loss"][-1]) if YIELDS in states_of(module, name) else 0.0,
+            )
+            for name in names
+        }  # fmt: skip
+
+    @cached_property
     def support(self) -> Support:
         """Forces of the ground, friction demands, sliding and loss of contact."""
         overturned = self.outcome is Outcome.OVERTURNED
@@ -398,8 +423,10 @@ class Response:
             *(plausible.friction(structure, support) if isinstance(self.record, Steps) else ()),
             *plausible.gained(structure, self.impacts, law),
             *plausible.directions(self.motion, self.vertical),
-            *plausible.tie(self.motion, self.events.columns),
-            *plausible.beyond_balance(structure, self._rows),
+            *(() if self.slope else plausible.tie(self.motion, self.events.columns)),
+            *plausible.beyond_wall(structure, self._rows),
+            *plausible.beyond_balance(structure, self._rows, self.slope),
+            *plausible.sloping(structure, self.slope),
         )
 
     def summary(self) -> str:
@@ -413,18 +440,21 @@ class Response:
         m = self.structure.module
         rotation, unit = self.states[m.ROTATION], m.STATE_UNITS[m.ROTATION]
         largest = self.extremes(rotation)
+        sloping = f" on a slope of {with_degrees(self.slope, 'rad')}" if self.slope else ""
         lines = [
-            f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
+            f"{type(self.structure).__name__}{sloping} under "
+            f"{self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}{self._why()}",
             f"Largest |{rotation}|: {with_degrees(abs(largest.peak), unit)} at "
             f"{largest.peak_time:.4g} s; "
             f"{self.impacts.describe()}.",
         ]
-        if (reserve := reserve_of(self.structure, largest)) is not None:
+        if (reserve := reserve_of(self.structure, largest, self.slope)) is not None:
             lines.append(reserve.describe(unit))
         lines += self._impact_law()
         lines += self._uplift()
+        lines += [record.describe(name) for name, record in self.ties.items()]
         if (rest := self.events.rest_time) is not None:
             lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])
@@ -453,9 +483,12 @@ class Response:
 
     def _uplift(self) -> list[str]:
         """The acceleration of the ground that would lift it, where the motion never lifted."""
-        threshold = self.structure.uplift_acceleration if self.support.never_lifted else None
-        if threshold is None or math.isinf(threshold):
+        if not self.support.never_lifted:
             return []
+        uplifts = uplift_accelerations(self.structure, self.slope)
+        if uplifts is None or math.isinf(min(uplifts)):
+            return []
+        threshold = min(uplifts)
         unit = "g" if is_dimensionless(self.structure.module) else "m/s2"
         return [
             f"It never lifted off. A ground acceleration that grows slowly lifts it at "

@@ -207,6 +207,8 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "options": encode("options", made["options"]),
         "outcome": str(made["outcome"]),
         "duration": encode("duration", made["duration"]),
+        "slope": made["slope"],
+        "ground_axes": made["ground_axes"],
         "statistics": {name: encode(name, value) for name, value in made["statistics"].items()},
         "quantities": None if isinstance(record, Steps) else list(record.extremes),
         **{

@@ -11,14 +11,16 @@ from rockeom.codes import AT_THE_START, EVENTS_KEPT, FULL, MODE, OUTCOMES, REFIN
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
+from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, require
-from rockeom.simulation.case import STILL, Case, Problem, without_duals
+from rockeom.simulation.case import Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
+from rockeom.simulation.ground import STILL, rows_after
 from rockeom.simulation.method_selection import chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
-from rockeom.simulation.quantities import Ground, Quantities
+from rockeom.simulation.quantities import Quantities
 from rockeom.simulation.recorder import ALL, KEEP, SAMPLES, DenseRecorder, Recorder, SampleRecorder
 from rockeom.simulation.response import Response
 from rockeom.simulation.steps import Steps
@@ -48,6 +50,8 @@ def simulate(
     mode: str | None = None,
     options: SolverOptions | None = None,
     keep: str = "all",
+    slope: float | str = 0.0,
+    ground_axes: str = SLOPE,
 ) -> Response:
     """Simulate a structure under a horizontal (and a vertical) ground motion.
 
@@ -80,6 +84,13 @@ def simulate(
         displacements, which are evaluated while the motion runs: some .1 ms a step, as a line on
         stderr says from 100,000 steps on. Whatever needs the steps then raises ValueError:
         `Response.at`, works and other extremes, `Response.support`.
+    slope : float or str, optional
+        Slope of the ground, a number [rad] or a text such as "5 deg" or "1 in 20": it falls to the
+        right where it is positive. Rotations are those from its normal, downhill positive, and
+        displacements those along it. Without `initial` the structure starts in equilibrium on it.
+    ground_axes : str, optional
+        "slope": the ground motions are along and normal to the slope; "world": they are level and
+        upright.
 
     Returns
     -------
@@ -117,8 +128,9 @@ def simulate(
     """
     require(keep in KEEP, "", "keep", keep, f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
-    case = structure if isinstance(structure, Case) else Case(structure, *parts)
-    if case is structure and any(part is not None for part in parts):
+    sloping: Any = slope, ground_axes
+    case = structure if isinstance(structure, Case) else Case(structure, *parts, *sloping)
+    if case is structure and any(x is not None for x in parts) | (sloping != (0.0, SLOPE)):
         raise InputTypeError("structure").wrong(
             "is a case, which has the other arguments: give others to dataclasses.replace(case, "
             "...)"
@@ -133,8 +145,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     compiled = program(structure.module, choice.method)
     recorder: DenseRecorder | SampleRecorder = DenseRecorder()
     if keep == SAMPLES:
-        ground = Ground(case.motion, case.vertical)
-        quantities = Quantities(structure, ground, choice.method)
+        quantities = Quantities(structure, case.ground, choice.method)
         names, spacing = quantities.main_names, options.spacing(problem.end)
         recorder = SampleRecorder(spacing, names, quantities.columns(names))
     motion = run(compiled, problem, options, recorder)
@@ -149,6 +160,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     return Response(
         structure, case.motion, case.vertical, case.impact, options, motion.outcome, problem.end,
         statistics, recorder.record(motion.events), Events(structure, motion.events), motion.y,
+        case.slope, case.ground_axes,
     )  # fmt: skip
 
 
@@ -230,6 +242,8 @@ class _Bench:
             parts.append(EventColumns(*(a[:noted].copy() for a in self.events)))
         outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
+            self.falls["horizontal"] = rows_after(q.horizontal)
+            self.falls["vertical"] = rows_after(q.vertical)
             outcome = self._later(p, 0.1 * q.end)
         events = parts[0]
         if len(parts) > 1:

@@ -105,6 +105,9 @@ class Support:
         The vertical force is that on both feet together. inf where there was none, but a horizontal
         one: then no friction suffices. NaN without feet. Impulses are in `impact_friction_demand`.
         """
+        across = getattr(self._structure.module, "HELD_ACROSS", False)
+        if self._sliding_points and (self._extremes is None or across):
+            return self._demand_of(self._sliding_points)  # without what ties and pushes take
         if self._extremes is None:
             return math.nan
         horizontal, _, _, vertical = self._extremes
@@ -154,6 +157,14 @@ class Support:
             surface: (self._demand_of([names[i] for i in points]), impulse)
             for (surface, points), impulse in zip(groups.items(), impulses, strict=True)
         }
+
+    @property
+    def _sliding_points(self) -> tuple[str, ...]:
+        """Points that may slide; none where no friction holds any."""
+        module = self._structure.module
+        if has_landings(module) and friction_of(module, self._structure.vector).any():
+            return tuple(module.POINTS)
+        return ()
 
     def _demand_of(self, points: Sequence[str]) -> float:
         columns = self._quantities.columns(
@@ -212,6 +223,8 @@ class Support:
                 "Only samples were kept: the forces that friction and contact had to bear, which "
                 "are found within the steps, are not known."
             )
+        if self._sliding_points:
+            return self._describe_sliding()
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:

@@ -12,13 +12,19 @@ from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import at_states, filled, jets
+from rockeom.structures.searched_modes import breaking
 
 _WORKS = ("ground_work", "damping_loss", "force_work", "friction_loss")
 
 
 def names_of_works(module: GeneratedModule) -> tuple[str, ...]:
-    """Names of the works and losses, but for that of impacts."""
+    """Names of the works and losses that powers have."""
     return (*_WORKS, *(f"{name}_loss" for name in module.ELEMENT_NAMES))
+
+
+def names_of_losses(module: GeneratedModule) -> tuple[str, ...]:
+    """Names of the losses at events: of impacts, and of ties that break."""
+    return ("impact_loss", *(f"{name}_break" for name in breaking(module)))
 
 
 _CHUNK = 2048  # steps at once, so that memory is bounded
@@ -30,7 +36,9 @@ class EnergyBalance(NamedTuple):
     Parameters
     ----------
     input : float
-        Work of the shaking on the masses, seen from the ground that moves [J].
+        Work of the shaking on the masses, seen from the ground that moves [J]. On a slope the
+        gravitational energy is m g times the height along its normal, and the rest of the work of
+        the weight counts here.
     damping : float
         Energy lost in dampers and by yielding, less the work of forces that are declared by
         themselves (`Force`) [J].
@@ -46,6 +54,8 @@ class EnergyBalance(NamedTuple):
     impact_gains : float, optional
         Energy of the impacts that gained some, which `impacts` has less [J]; see
         ``run.impacts.energy_gains``.
+    breaks : float, optional
+        Energy that ties held as they broke [J].
     """
 
     input: float
@@ -55,6 +65,7 @@ class EnergyBalance(NamedTuple):
     error: float
     friction: float = 0.0
     impact_gains: float = 0.0
+    breaks: float = 0.0
 
 
 class Works:
@@ -94,7 +105,10 @@ class Works:
         lost = np.zeros(n + 1)
         seams = np.flatnonzero(np.isin(starts[1:], times)) + 1
         lost[seams] = self.last[seams - 1] - self.first[seams]
-        self.end = self.last[-1]
+        self.begin, self.end = self.first[0], self.last[-1]
+        if len(times) and times[0] <= starts[0]:  # an impact at once, which no step is before
+            self.begin = self._energy(states[:1, 0], kinds[:1, 1])[0]
+            lost[0] = self.begin - self.first[0]
         if len(times) and times[-1] >= ends[-1]:
             self.end = self._energy(states[-1:, 1], kinds[-1:, 2])[0]
             lost[n] = self.last[-1] - self.end
@@ -103,7 +117,30 @@ class Works:
         inside[resting + 1] = self._unexplained(
             np.diff(self.table, axis=0)[resting], self.last[resting] - self.first[resting]
         )
-        self.impacts = np.cumsum(lost + inside)
+        self.breaks = self._breaks(starts)
+        self.impacts = np.cumsum(lost + inside - self.breaks.sum(axis=0))
+        np.cumsum(self.breaks, axis=1, out=self.breaks)
+
+    def _breaks(self, starts: np.ndarray) -> np.ndarray:
+        """(m, n + 1) energy that each of m ties held as it broke, at the step behind, or the end.
+
+        starts (n,) : times at which steps begin.
+        """
+        module = self.structure.module
+        times, kinds, states = self.events.columns
+        names = breaking(module)
+        held = np.zeros((len(names), len(starts) + 1))
+        n = len(module.ELEMENT_NAMES)
+        for row, (name, i) in enumerate(names.items()):
+            broke = np.flatnonzero(states[:, 1, i] > states[:, 0, i])
+            for k in broke.tolist():
+                before = filled(
+                    module, self.structure.vector, "elements", 4 * n, kinds[k : k + 1, 1],
+                    states[k : k + 1, 0],
+                )  # fmt: skip
+                energy = before.reshape(n, 4)[module.ELEMENT_NAMES.index(name), 2]
+                held[row, np.searchsorted(starts, times[k])] = energy
+        return held
 
     def _energies(self, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
         """(3, n) kinetic, gravitational and elastic energy."""
@@ -172,16 +209,18 @@ class Works:
         rests = np.flatnonzero(self.rests[index])
         gained = self._energy(y[rests], mode[rests]) - self.first[index[rests]]
         impacts[rests] += self._unexplained(within[rests], gained)
-        return works | {"impact_loss": impacts}
+        at_events = [impacts, *self.breaks[:, index]]
+        return works | dict(zip(names_of_losses(self.structure.module), at_events, strict=True))
 
     def balance(self) -> EnergyBalance:
         """Works and losses of the whole motion."""
         ground, damping, force, friction = self.table[-1, :4].tolist()
-        impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
+        impacts, gained = float(self.impacts[-1]), float(self.end - self.begin)
+        breaks = float(self.breaks[:, -1].sum())
         lost = damping - force
-        left = ground - lost - friction - impacts - gained
+        left = ground - lost - friction - impacts - breaks - gained
         energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
         largest = max(*map(abs, (ground, lost, friction, impacts, gained)), abs(energies).max())
         error = abs(left) / largest if largest else 0.0
         gains = float(self.events.impacts.energy_gains.sum())
-        return EnergyBalance(ground, lost, impacts, gained, error, friction, gains)
+        return EnergyBalance(ground, lost, impacts, gained, error, friction, gains, breaks)

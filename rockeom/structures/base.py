@@ -14,6 +14,7 @@ import numpy as np
 from rockeom.codes import IMPACT
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
+from rockeom.motion.slope import slope_angle
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, array_of, near, number
 from rockeom.numbers.dual import value_of
@@ -25,6 +26,7 @@ from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
+from rockeom.structures.slope import OnSlope, on_slope
 
 
 def generated_module(name: str) -> GeneratedModule:
@@ -145,6 +147,15 @@ class Structure(metaclass=explained.Constructors):
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a mode of its own."""
         return declared_modes.rocks_on_rigid_ground(self.module)
+
+    @property
+    def unrestrained(self) -> Structure | None:
+        """The structure without what holds it, on feet that neither slide nor bounce.
+
+        Its statics are those of a structure of which something else may break, slip or move. None
+        for a structure whose own statics are known, and where there is no such structure.
+        """
+        return None
 
     @functools.cached_property
     def has_impacts(self) -> bool:
@@ -799,6 +810,38 @@ class Structure(metaclass=explained.Constructors):
             for side in (-1.0, 1.0)
         )
         return left, right
+
+    def on_slope(self, slope: float | str) -> OnSlope:
+        """Statics of the structure on ground that slopes.
+
+        Parameters
+        ----------
+        slope : float or str
+            Slope, a number [rad] or a text such as "5 deg" or "1 in 20"; the ground falls to the
+            right where it is positive.
+
+        Returns
+        -------
+        OnSlope
+            Accelerations that lift a foot and overturning angles, from the slope's normal.
+
+        Raises
+        ------
+        ValueError
+            For a slope that is none.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> on_slope = block.on_slope("5 deg")
+        >>> left, right = on_slope.uplift_accelerations  # m/s2, uphill and downhill
+        >>> round(left, 4), round(right, 4)
+        (3.2982, 1.5882)
+        >>> on_slope.stands
+        True
+        """
+        return on_slope(self, number("slope", slope_angle(slope)))
 
     @property
     def slenderness(self) -> float | None:

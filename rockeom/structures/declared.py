@@ -129,7 +129,9 @@ class StructureWithFields(Structure):
 
     @classmethod
     def _taker_of(cls, name: str) -> str:
-        """Another constructor that takes an argument, in words; "" where none does."""
+        """Another constructor or structure that takes an argument, in words; "" where none does."""
+        if name in ("restraint", "loads"):
+            return " (rk.HeldBlock and rk.Facade take it, and structures on rk.Sliding feet)"
         takers = [
             other
             for other in dir(cls)

@@ -7,7 +7,7 @@ import numpy as np
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many, values
-from rockeom.numbers.functions import of_compounds
+from rockeom.numbers.functions import for_arrays, of_compounds
 from rockeom.numbers.jet import Jet
 
 OF_ELEMENT = {"deformation": "m", "force": "N", "energy": "J"}
@@ -90,6 +90,14 @@ def by_mode(modes: np.ndarray, fill: Callable[[int, np.ndarray], None]) -> None:
             fill(number, rows)
         except Differs as ways:
             left += [(number, rows[part]) for part in ways.parts]
+
+
+def gravity_of(m: Any, p: np.ndarray) -> Any:
+    """Gravity in the equations of a module; it has derivatives where parameters have."""
+    out = np.zeros(2 * len(m.POSITIONS) + 1, p.dtype)
+    last = 2 * sum(kind in ("body", "massless") for kind in m.POSITION_KINDS)
+    for_arrays(m, p).masses(0, np.zeros(m.N_STATES), p, out)
+    return out[last]
 
 
 def motion_of_places(

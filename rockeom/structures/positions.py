@@ -10,14 +10,16 @@ import numpy as np
 
 BODIES = ("body", "massless")
 """Kinds of what turns: the places of all others are points."""
+NO_FEET = ("load", "tendon", "damper", "push", "end", *BODIES)
+"""Kinds of what is no contact and no spring under the structure."""
 
 
 class Member(NamedTuple):
-    """A member between two bodies, or a body and the "ground".
+    """A member between two bodies, a body and the "ground", or the two ends of an element.
 
-    kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) :
-    where it ends, from the centre of the body in axes that turn with it; on the ground from the
-    origin [m].
+    kind : "column", "cantilever", "rod", "tendon", "spring", "damper" or "wall". start_at, end_at
+    (2,) : where it ends, from the centre of the body in axes that turn with it; on the ground from
+    the origin [m].
     """
 
     kind: str
@@ -93,7 +95,7 @@ def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:
     for i, j in np.ndindex(len(m.POSITIONS), len(m.POSITIONS)):
         body, lengths = m.POSITIONS[i], np.hypot(*(at[:, i] - at[:, j]).T)
         alone = m.POSITION_KINDS[i] in BODIES and body not in {*joined, *drawn.outlines}
-        foot = m.POSITION_KINDS[j] not in ("load", *BODIES)
+        foot = m.POSITION_KINDS[j] not in NO_FEET
         if alone and foot and abs(lengths[1] - lengths[0]) <= 1e-9 * lengths[0]:
             pairs.append((i, j))
     return pairs

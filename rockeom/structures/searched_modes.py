@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.schema import PROVIDED, SearchedModes, angles
+from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -125,7 +125,9 @@ def completed(
 
     The lowest points stand and do not slip; elements that yield are drawn out.
     """
-    return drawn_out(module, standing(module, y, p, named), p, named)
+    y = drawn_out(module, standing(module, y, p, named), p, named)
+    check_ties(module, value_of(y), value_of(p))
+    return y
 
 
 def standing(
@@ -260,6 +262,17 @@ def _orthonormal(rows: np.ndarray) -> np.ndarray:
     return np.array(basis, dtype=object).reshape(-1, rows.shape[1])
 
 
+@cache
+def breaking(module: GeneratedModule) -> dict[str, int]:
+    """The ties that may break, with the place of the state that says whether they have."""
+    names = getattr(module, "ELEMENTS", ())
+    return {
+        name: module.STATES.index(f"{name}_broken")
+        for name in names
+        if f"{name}_broken" in module.STATES
+    }
+
+
 def drawn_out(
     module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
@@ -268,7 +281,8 @@ def drawn_out(
     Raises ValueError where a permanent extension is named that leaves more than the strength.
     """
     places = {name: f"{name}_extension" for name in module.ELEMENTS}
-    places = {name: z for name, z in places.items() if z in module.STATES}
+    broken = {name for name, i in breaking(module).items() if value_of(y)[i] == 1.0}
+    places = {name: z for name, z in places.items() if z in module.STATES and name not in broken}
     if not places:
         return y
     free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
@@ -293,6 +307,38 @@ def drawn_out(
     return y
 
 
+def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a tie that is neither whole nor broken, or whole beyond its limit."""
+    ties = breaking(module)
+    for name, i in ties.items():
+        if y[i] not in (0.0, 1.0):
+            raise InputError(f"{name}_broken", y[i], module.NAME).give("0, or 1 once it has broken")
+    if not ties:
+        return
+    free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
+    _, elastic = _by_elements(module, free)
+    for name, i in ties.items():
+        mode = elastic[module.ELEMENTS.index(name)][0]
+        guards, upright = (_guards(module, mode, state, p) for state in (y, np.zeros(len(y))))
+        beyond = np.flatnonzero((guards < -_AT_LIMIT * np.abs(upright))[: module.GUARDS[mode]])
+        if y[i] == 0.0 and any(_after(module, mode, guard, y, p)[i] for guard in beyond.tolist()):
+            raise InputError(f"{name}_broken", 0, module.NAME).says(
+                f"{name} is whole in this state, and beyond the limit at which it breaks: give "
+                f"{name}_broken=1, or another state"
+            )
+
+
+def _after(
+    module: SearchedModes, mode: int, guard: int, y: np.ndarray, p: np.ndarray
+) -> np.ndarray:
+    """The state after an event of an element."""
+    after = y.copy()
+    module.jump(mode, guard, 0, 0.0, y, p, after)
+    return after
+
+
+_AT_LIMIT = 1e-9
+"""Relative: a state just before a break may be beyond the limit by the rounding of its event."""
 _BEYOND = 1e-4
 """Relative: an extension is integrated while it grows, to the tolerance of a motion."""
 _DRAWN = 1.0 + 4e-13
@@ -352,8 +398,43 @@ _WORDS = {
 
 
 def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -> int:
-    """Number of the mode named; raises TypeError or ValueError where there is none."""
-    return number_of(module, mode)
+    """Number of the mode named; raises TypeError or ValueError where there is none.
+
+    InputError, too, where a tie that has broken would pull in it.
+    """
+    number = number_of(module, mode)
+    _check_clocks(module, number, value_of(y), value_of(p))
+    for name, i in breaking(module).items():
+        if (
+            value_of(y)[i] == 1.0
+            and module.ELEMENT_STATES[number][module.ELEMENTS.index(name)] >= 0
+        ):
+            raise InputError("mode", mode, module.NAME).says(
+                f"the mode {mode!r} contradicts {name}_broken = 1: {name} pulls in it; leave the "
+                "mode out"
+            )
+    return number
+
+
+def _check_clocks(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a push that acts in a mode before it begins, or rests while it acts."""
+    fits = _with_elements(module, module.POINT_STATES[mode], y, p)
+    guards = _guards(module, fits, y, p)
+    for i, name in enumerate(module.ELEMENTS):
+        subject = len(module.POINTS) + i
+        margin = min(
+            g for g, of in zip(guards, module.SUBJECTS[fits], strict=False) if of == subject
+        )
+        differ = module.ELEMENT_STATES[mode][i] != module.ELEMENT_STATES[fits][i]
+        if f"{name}_time" in module.STATES and differ and margin > _ON_TIME:
+            raise InputError("mode", module.MODES[mode], module.NAME).says(
+                f"the mode {module.MODES[mode]!r} contradicts {name}_time = "
+                f"{y[module.STATES.index(f'{name}_time')]:g}: leave the mode out"
+            )
+
+
+_ON_TIME = 1e-9
+"""Time to the start or the end of a push at which both modes fit [s]: rounding."""
 
 
 def mode_under_forces(
@@ -474,6 +555,13 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     return names
 
 
+def _guards(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """Guards of a mode where the ground does not accelerate."""
+    values = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
+    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values)
+    return values
+
+
 def _with_elements(
     module: SearchedModes, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
 ) -> int:
@@ -488,8 +576,7 @@ def _with_elements(
 
     def margin(mode: int, element: int) -> float:
         if mode not in values:
-            values[mode] = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-            for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values[mode])
+            values[mode] = _guards(module, mode, y, p)
         subject = len(module.POINTS) + element
         guards = zip(values[mode], module.SUBJECTS[mode], strict=False)
         return min((g for g, of in guards if of == subject), default=0.0)

@@ -120,10 +120,13 @@ def balanced(
     return (lacking(at)[1] if done.all() else np.nan), state(at)
 
 
-def uplift_accelerations(module: GeneratedModule, p: np.ndarray) -> tuple[float, float]:
+def uplift_accelerations(
+    module: GeneratedModule, p: np.ndarray, weight: tuple[float, float] = (0.0, 0.0)
+) -> tuple[float, float]:
     """Sizes of ground accelerations at which a structure on rigid ground leans (left, right).
 
-    The force on the opposite foot vanishes there.
+    The force on the opposite foot vanishes there. weight : further accelerations, those of a slope;
+    it leans by itself to a side whose acceleration is below zero.
 
     Unknown are the acceleration and the coordinates that are free in full contact. Their equations
     are linear, but for small terms: Newton's method from rest.
@@ -137,11 +140,12 @@ def uplift_accelerations(module: GeneratedModule, p: np.ndarray) -> tuple[float,
     def lacking(unknown: np.ndarray, foot: int) -> np.ndarray:
         y, rates, forces = np.zeros(2 * n), np.zeros(2 * n), np.zeros(len(m.REACTIONS))
         y[free] = unknown[1:]
-        m.rates(mode, y, p, unknown[0], 0.0, rates)
-        m.reactions(mode, y, p, unknown[0], 0.0, forces)
+        across, up = unknown[0] + weight[0], weight[1]
+        m.rates(mode, y, p, across, up, rates)
+        m.reactions(mode, y, p, across, up, forces)
         return np.array([forces[foot], *rates[[n + i for i in free]]])
 
-    def lifts(foot: int) -> float:
+    def lifts(foot: int, way: float) -> float:
         unknown = np.zeros(1 + len(free))
         for _ in range(50):
             value = lacking(unknown, foot)
@@ -159,7 +163,10 @@ def uplift_accelerations(module: GeneratedModule, p: np.ndarray) -> tuple[float,
             unknown += change
             if abs(change[0]) <= 1e-13 * abs(unknown[0]):
                 break
-        return abs(float(unknown[0]))
+        return way * float(unknown[0])
 
-    left, right = (lifts(m.REACTIONS.index(f"{foot}_reaction")) for foot in ("right", "left"))
+    left, right = (
+        lifts(m.REACTIONS.index(f"{foot}_reaction"), way)
+        for foot, way in (("right", 1.0), ("left", -1.0))
+    )
     return left, right

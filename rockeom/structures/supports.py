@@ -1,12 +1,15 @@
 """Supports: the base of a structure stands on one, which is a part of the structure."""
 
+import dataclasses
 import functools
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import InputTypeError
+from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.structures.base import Structure
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.restraints import attach, kinds_of, parameters_of
 
 
 class Support:
@@ -33,15 +36,15 @@ class Support:
         """Arguments of `rockeom.derive` that stand for the support."""
         return {}
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+    def module(self, superstructure: str, **arguments: Any) -> GeneratedModule:
         """Generated module of a superstructure that stands on the support.
 
         Parameters
         ----------
         superstructure : str
             Name of the model.
-        **arguments : int
-            Arguments of a family, such as the number of storeys.
+        **arguments : object
+            Arguments of a family, such as the number of storeys, and restraints.
 
         Returns
         -------
@@ -117,10 +120,56 @@ class SupportedStructure(StructureWithFields):
         own = set(self.defaults())
         support = self.support.parameters() if self.support else {}
         names = (n for n in self.module.PARAMETERS if n in own)
-        return {**{name: getattr(self, name) for name in names}, **support}
+        return {name: getattr(self, name) for name in names} | support
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         if path[0] == "support" and len(path) == 2:
             name = self.support.called.get(path[1], path[1])
             return name if name in self.module.PARAMETERS else ""
         return super().parameter_at(path)
+
+
+class HeldStructure(SupportedStructure):
+    """A structure that restraints hold and loads push where it stands on feet that may slide."""
+
+    not_numbers = frozenset({"support", "restraint", "loads"})
+    restraint: Any = ()
+    loads: Any = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        attach(self)
+        if self._attached and not self._slides:
+            raise InputError("restraint").says(
+                f"{type(self).__name__} with restraints or loads stands on feet that slide: give "
+                "support=rk.Sliding(friction=..., restitution=...), with much friction for feet "
+                "that do not"
+            )
+
+    @property
+    def _attached(self) -> tuple[Any, ...]:
+        return (*self.restraint, *self.loads)
+
+    @property
+    def _slides(self) -> bool:
+        return getattr(self.support, "kind", "") == "sliding"
+
+    @property
+    def unrestrained(self) -> Structure | None:
+        if not self._slides:
+            return None
+        return dataclasses.replace(self, support=None, restraint=(), loads=())
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return super().derivation | kinds_of(*self._attached)
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module, of this support and of what holds it."""
+        if not self._attached:
+            return super().module
+        return self.support.module(self.model, **kinds_of(*self._attached))
+
+    def parameters(self) -> dict[str, float]:
+        return super().parameters() | parameters_of(*self._attached)

@@ -28,7 +28,7 @@ from rockeom.structures.units import dimensioned, time_unit, with_unit
 
 _Path = tuple[Any, ...]
 
-PARTS = ("structure", "motion", "impact", "initial", "vertical", "mode")
+PARTS = ("structure", "motion", "impact", "initial", "vertical", "mode", "ground_axes")
 """Parts of a case that a sweep by names may vary as a whole."""
 
 FACTORS = ("scale", "time_scale")
@@ -147,8 +147,7 @@ def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
     start = {path[1]: x for path, x in own.items() if path[0] == "initial"}
     if start:
         changed["initial"] = {**(case.initial or {}), **start}
-    if ("duration",) in own:
-        changed["duration"] = own["duration",]
+    changed |= {name: own[name,] for name in ("duration", "slope") if (name,) in own}
     return replace(case, **changed)
 
 
@@ -259,6 +258,7 @@ def _of_time(case: Case) -> dict[str, Number]:
         **{f"case.{name}": Number("case", (name,), 1.0, "-") for name in FACTORS},
         "case.pga": Number("case", ("pga",), case.motion.peak, acceleration, smooth=False),
         "case.duration": Number("case", ("duration",), float(duration), unit),
+        "case.slope": Number("case", ("slope",), case.slope, "rad"),
     }
 
 

@@ -429,9 +429,10 @@ class Source:
     def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:
         case = made(self.case, named)
         if case.structure.module is not self.module:
+            name, first = case.structure.module.NAME, self.module.NAME
+            others = f"another {name}, of other equations," if name == first else f"a {name}"
             raise InputError("case").says(
-                f"a case is a {case.structure.module.NAME}, the first one a {self.module.NAME}: "
-                "simulate each model by itself"
+                f"a case is {others} than the first one, a {first}: simulate each model by itself"
             )
         return case, without_duals(case.problem())
 

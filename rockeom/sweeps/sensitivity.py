@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,9 +14,18 @@ from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError, near
-from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
+from rockeom.numbers.dual import (
+    Dual,
+    directions,
+    duals,
+    nominal,
+    tangent_of,
+    value_of,
+    with_tangent,
+)
 from rockeom.numbers.functions import of_compounds
-from rockeom.simulation.case import Case, check_case, ground_table, parted
+from rockeom.simulation.case import Case, check_case, parted
+from rockeom.simulation.ground import Ground
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
@@ -26,8 +35,6 @@ from rockeom.sweeps.tangents import Tangents, of_problem
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from rockeom.motion import GroundMotion
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -171,15 +178,10 @@ def sensitivity(
     pairs = list(zip(numbers, seeds.values(), strict=True))
     seeded = with_numbers(case, [(n, seed) for n, seed in pairs if not n.factor])
     problem, along = parted(seeded.problem(), len(varied))
-    for part, of_part in (("motion", "horizontal"), ("vertical", "vertical")):
-        factors = {
-            j: number.factor
-            for j, number in enumerate(numbers)
-            if number.factor and number.part in ("case", part)
-        }
-        if factors:
-            of_factors = _of_ground(getattr(case, part), factors, len(varied))
-            along = along._replace(**{of_part: getattr(along, of_part) + of_factors})
+    of_factors = [(j, number) for j, number in enumerate(numbers) if number.factor]
+    if of_factors:
+        for part, table in _of_ground(nominal(seeded.ground), of_factors, len(varied)).items():
+            along = along._replace(**{part: getattr(along, part) + table})
     motion = of_problem(seeded, problem, along, SolverOptions.of(options))
     answers = [answer(name, motion) for name in wanted]
     return Sensitivity(
@@ -220,14 +222,26 @@ _FACTORS = {"scale": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
 
 
-def _of_ground(motion: GroundMotion | None, factors: Mapping[int, str], m: int) -> np.ndarray:
-    """(rows, 7, m) derivatives of a motion's table by its factors, which are some directions."""
-    table = ground_table(motion)
-    derivatives = np.zeros((m, *table.shape))
-    for j, name in factors.items():
-        acceleration, time = _FACTORS[name]
-        derivatives[j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
-    return np.moveaxis(derivatives, 0, -1)
+def _of_ground(
+    ground: Ground, of_factors: Sequence[tuple[int, Number]], m: int
+) -> dict[str, np.ndarray]:
+    """(rows, 7, m) derivatives of both tables by factors of the motions, which are some directions.
+
+    of_factors : the direction and the number of each.
+    """
+    derivatives = [np.zeros((m, *table.shape)) for table in ground.tables]
+    for j, number in of_factors:
+        acceleration, time = _FACTORS[number.factor]
+        moved = (
+            scaled(table, 1.0 + acceleration, 1.0 + time)
+            if number.part in ("case", part)
+            else table
+            for part, table in zip(("motion", "vertical"), ground.level_tables, strict=True)
+        )
+        for derivative, table in zip(derivatives, ground.tables_of(*moved), strict=True):
+            derivative[j] = table.imag / _TINY
+    parts = (np.moveaxis(derivative, 0, -1) for derivative in derivatives)
+    return dict(zip(("horizontal", "vertical"), parts, strict=True))
 
 
 # -- quantities by name
@@ -295,7 +309,7 @@ class _Moving:
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
         """When there is a corner of the ground's motion that moves, within a tolerance."""
-        tables = ground_table(self.run.motion), ground_table(self.run.vertical)
+        tables = self.path.problem.horizontal, self.path.problem.vertical
         for rows, along in zip(tables, (self.along.horizontal, self.along.vertical), strict=True):
             times, moves = rows[:, :KIND].ravel(), along[:, :KIND].reshape(-1, self.m)
             for i in np.flatnonzero((np.abs(times - t) <= tolerance) & moves.any(axis=1)):

@@ -32,6 +32,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
+from rockeom.simulation.ground import ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Outcome, Response, fall_is_judged
 from rockeom.simulation.simulate import simulated
@@ -263,9 +264,8 @@ class Motion:
         """(N,) rates of the states up to a time."""
         r, (y, modes) = self.response, self.response.steps.at(np.array([t]), "left")
         before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
-        ground = [0.0 if g is None else g.acceleration(before) for g in (r.motion, r.vertical)]
         rates = np.empty(len(r.states))
-        across, up = map(float, ground)
+        across, up = map(float, ground_of(r).accelerations(before))
         r.structure.module.rates(int(modes[0]), y[0], r.structure.vector, across, up, rates)
         return rates
 

@@ -6,7 +6,7 @@ from rockeom.numbers import explained
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
-from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.elements import Break, Damper, Pulse, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
     Body,
@@ -42,8 +42,10 @@ __all__ = [
     "SHIPPED",
     "SIDE",
     "Body",
+    "Break",
     "Contact",
     "Coordinate",
+    "Damper",
     "Definition",
     "Foot",
     "Force",
@@ -54,9 +56,11 @@ __all__ = [
     "NamedFunction",
     "Parameter",
     "Pinned",
+    "Pulse",
     "Rigid",
     "RockingModel",
     "Spring",
+    "Tie",
     "Transition",
     "Unilateral",
     "Yielding",

@@ -55,7 +55,7 @@ class Model(Declared, ContactDeclaration):
         Coordinate that overturns, positive clockwise, at `overturning`.
     contacts : tuple of Contact, optional
         Points that may touch.
-    elements : tuple of Spring, Unilateral or Yielding, optional
+    elements : tuple of Spring, Damper, Tie, Unilateral or Yielding, optional
         Elements that carry forces: a `Spring` always, others by their states.
     elastic_energy : sympy.Expr, optional
         Elastic energy of springs that always act and need no name; that of each `Spring` is added.

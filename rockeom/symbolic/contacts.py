@@ -378,6 +378,22 @@ class ContactDeclaration:
         """The endings of the states of each of `switching`."""
         return tuple(e.endings(self.coordinates) for e in self.switching)
 
+    @cached_property
+    def is_held_across(self) -> bool:
+        """Whether an element or a force holds the whole structure horizontally.
+
+        The horizontal force of the ground is then not that of the points alone.
+        """
+        places = [body.position for body in self.bodies]
+        moves_all = [
+            c
+            for c in self.coordinates
+            if all(sp.diff(x, c.position) == 1 and sp.diff(y, c.position) == 0 for x, y in places)
+        ]
+        across = [e.displacement for e in self.elements]
+        across += [w for f in self.forces for _, w in f.components]
+        return any(sp.diff(w, c.position) != 0 for w in across for c in moves_all)
+
     @property
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:
         """The force on each coordinate, by virtual work."""

@@ -246,7 +246,7 @@ class Body:
 GROUND = "ground"
 """The end of a member that does not end at a body."""
 
-MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper")
+MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper", "wall")
 
 
 @dataclass(frozen=True)
@@ -257,7 +257,8 @@ class Member:
     ----------
     kind : str
         "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
-        turns freely; "rod", "tendon", "spring" or "damper", which are straight.
+        turns freely; "rod", "tendon", "spring" or "damper", which are straight; "wall", a face
+        that stands, from its foot to its top, the wall on its left.
     start : str
         Name of the body at the start, or "ground".
     end : str

@@ -11,18 +11,17 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contacts import Contact, ContactDeclaration
-from rockeom.symbolic.elements import Element, Spring, Switching, Unilateral, switch_of
+from rockeom.symbolic.elements import Damper, Element, Pulse, Spring, Switching, Tie, switch_of
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import Coordinate
+from rockeom.symbolic.model import Coordinate, Member, Point
 from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.statics import equilibrium
 
 LOAD_POINT = "load"
-BODY, MASSLESS, FOOT, POINT, SPRING, DAMPED = (
-    "body", "massless", "foot", "point", "spring", "spring_and_damper",
-)  # fmt: skip
+BODY, MASSLESS, FOOT, POINT, DAMPED = "body", "massless", "foot", "point", "spring_and_damper"
+END = "end"
 WALL_LEFT, WALL_RIGHT = "wall_on_the_left", "wall_on_the_right"
 
 
@@ -31,7 +30,8 @@ class Place(NamedTuple):
 
     kind : "body", or "massless", a body for sketches; "foot", above rigid ground, or beside a wall
     that stands, "wall_on_the_left" or "wall_on_the_right"; "point", that touches another body;
-    "spring" or "spring_and_damper", which carry it; "load".
+    "spring" or "spring_and_damper", which carry it; "tendon", "damper" or "push", an element of
+    that kind, and "end", the other end of one; "load".
     """
 
     kind: str
@@ -50,8 +50,9 @@ def places(model: HybridModel, mode: Mode) -> dict[str, Place]:
         of = model.search.of
         found += [(c.name, Place(_touches(of, c), *c.point)) for c in of.contacts]
         for e in of.switching:
-            if isinstance(e, Unilateral) and e.place is not None:
-                found.append((e.name, Place(DAMPED if e.damping != 0 else SPRING, *e.place)))
+            if e.place is not None:
+                found.append((e.name, Place(e.drawn, *e.place)))
+        found += [(m.end, Place(END, *end)) for m, end in drawn(model)]
     else:
         found += [
             (name, Place(DAMPED if foot.sprung else FOOT, *foot.position))
@@ -62,22 +63,39 @@ def places(model: HybridModel, mode: Mode) -> dict[str, Place]:
     return dict(found)
 
 
+def drawn(model: HybridModel) -> list[tuple[Member, Point]]:
+    """Members for elements that have two ends, each with the place of the other end."""
+    return [
+        (Member(e.drawn, e.name, f"{e.name} end"), e.end)
+        for e, _ in switching(model)
+        if isinstance(e, Tie | Damper) and e.place is not None and e.end is not None
+    ]
+
+
 def names_of(model: HybridModel) -> list[str]:
     """All names of places, which must differ."""
     if model.search is not None:
         of = model.search.of
         points = [*(c.name for c in of.contacts), *(e.name for e in of.switching)]
+        points += [m.end for m, _ in drawn(model)]
     else:
         points = sorted(model.modes[0].feet)
     return [*(b.name for b in model.bodies), *points, LOAD_POINT]
 
 
 def _touches(of: ContactDeclaration, contact: Contact) -> str:
-    """Kind of a contact: with the ground or a wall, if the end of its gap does not move."""
+    """Kind of a contact: with the ground or a wall, if the end of its gap does not move.
+
+    A surface that moves along below a foot is no ground: the foot slips on it by another distance
+    than it moves. A foot that rolls does so, too, and the difference is a rotation.
+    """
     x, y = contact.point
-    gap = contact.at(contact.side)[0]
+    gap, slip = contact.at(contact.side)
     moving = {c.position for c in of.coordinates}
-    for kind, end in ((FOOT, y - gap), (WALL_LEFT, x - gap), (WALL_RIGHT, x + gap)):
+    along = {c.position for c in of.coordinates if c.unit != "rad"}
+    if not tidy(y - gap).free_symbols & moving:
+        return POINT if tidy(x - slip).free_symbols & along else FOOT
+    for kind, end in ((WALL_LEFT, x - gap), (WALL_RIGHT, x + gap)):
         if not tidy(end).free_symbols & moving:
             return kind
     return POINT
@@ -175,7 +193,7 @@ def statics(model: HybridModel, mode: Mode) -> tuple[sp.Expr, ...]:
 
 
 def powers(model: HybridModel, mode: Mode) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Powers [W] of the shaking, of dampers and yielding, and of declared forces."""
+    """Powers [W] of the shaking, of dampers and yielding, and of declared forces and pushes."""
     equations, coordinates = mode.equations, mode.coordinates
     velocity = sp.Matrix([c.velocity for c in coordinates]).reshape(len(coordinates), 1)
     ground, damping, force = (
@@ -194,7 +212,9 @@ def powers(model: HybridModel, mode: Mode) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
         if f.symbol.is_Symbol:  # Lagrange's equations take it as a constant
             moved = rate(model.written_out(f.value), coordinates)
             force += sp.diff(energy, f.symbol) * moved
-    damping += _losses(switching(model), coordinates)
+    pushes = [a for a in switching(model) if isinstance(a[0], Pulse)]
+    force -= _losses(pushes, coordinates)
+    damping += _losses((a for a in switching(model) if a not in pushes), coordinates)
     if model.search is not None:
         # elastic energy that grows with an internal variable, such as a dashpot's place
         of = model.search.of

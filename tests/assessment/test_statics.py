@@ -8,6 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.assessment.statics import Load, Statics, is_symmetric, statics_of
+from tests.refusals import refused
 from tests.typical import column, stack
 
 G = 9.81
@@ -117,3 +118,30 @@ def test_mirror_images_of_motions_are_motions_of_symmetric_structures():
     for structure in (rk.RigidBlock(half_width=0.2, half_height=0.8), column(), block):
         assert is_symmetric(structure)
     assert not is_symmetric(dataclasses.replace(block, offset=1e-3))
+
+
+@pytest.mark.parametrize("phi", [0.08, -0.08])
+def test_a_block_on_a_slope_is_held_by_a_strap_and_slides_first_as_on_level_ground(phi):
+    b, h, m, mu, a = 0.2, 0.7, 70.0, 0.4, 0.5 * G
+    statics = statics_of(rk.RigidBlock(half_width=b, half_height=h, mass=m), phi)
+    assert statics.frictions_to_rock == pytest.approx((b / h, b / h))
+    downhill = G * (mu * math.cos(phi) - math.sin(abs(phi)))
+    assert statics.sliding_acceleration(mu) == pytest.approx(downhill)
+    along, normal = m * (a + G * math.sin(abs(phi))), m * G * math.cos(phi)
+    lifting = along * h - normal * b
+    assert statics.strap(Load(a), 2.0 * h) == pytest.approx(lifting / (2.0 * h))
+    assert statics.hold_down(Load(a)) == pytest.approx(lifting / (2.0 * b))
+
+
+def test_assessment_on_a_slope_counts_both_directions_and_refuses_where_nothing_stands():
+    block, record = rk.RigidBlock(half_width=0.2, half_height=0.7), rk.GroundMotion.ricker(4.0, 0.7)
+    answer = rk.assess(block, record, slope="5 deg", pga=[4.0], units_checked=True)
+    ways = [rk.simulate(block, way * record, slope="5 deg", duration=record.duration + 10.0)
+            for way in (1.0, -1.0)]  # fmt: skip
+    for one, run in zip(answer.records, ways, strict=True):
+        assert one.rotation == pytest.approx(abs(run.extremes("theta").peak), rel=1e-6)
+    assert "RigidBlock on a slope of 5 degrees under 1 record" in answer.title
+    assert "the records act along it" in " ".join(answer.assumptions)
+    assert refused(rk.assess, block, record, slope="20 deg")[0] == "slope"
+    assert refused(rk.assess, block, record, slope="5 deg", friction=0.08)[0] == "slope"
+    assert refused(rk.assess, stack(), record, slope="5 deg")[0] == "slope"

@@ -13,6 +13,9 @@ import rockeom as rk
 from rockeom.browser import setup
 from rockeom.browser.page import ENTRIES
 from rockeom.cli import main
+from tests.contact.test_facade import SIZE as FACADE, TIE
+from tests.contact.test_isolated_blocks import BLOCK as ON_BASE, isolated
+from tests.drawing.test_held_structures import strapped
 from tests.shipped import plain
 
 ASSETS = Path(rk.__file__).parent / "browser" / "assets"
@@ -102,13 +105,8 @@ STOREY = {
 }  # fmt: skip
 STRUCTURES = {
     "frame of three storeys": rk.ShearFrame(
-        masses=[20e3] * 3,
-        heights=[3.5, 7.0, 10.5],
-        stiffnesses=[2e7] * 3,
-        dampings=[12e4] * 3,
-        half_width=2.0,
-        base_mass=10e3,
-        base_inertia=5e3,
+        masses=[20e3] * 3, heights=[3.5, 7.0, 10.5], stiffnesses=[2e7] * 3, dampings=[12e4] * 3,
+        half_width=2.0, base_mass=10e3, base_inertia=5e3,
     ),
     "sliding block": rk.SlidingBlock(
         half_width=0.1, half_height=0.4, friction=0.5, restitution=0.1
@@ -120,13 +118,22 @@ STRUCTURES = {
     "frame on sliding feet": rk.ShearFrame(
         **STOREY, support=rk.Sliding(friction=0.3, restitution=0.1)
     ),
-}
+    "block with a strap that breaks": strapped(1e3),
+    "facade with a tie": rk.Facade(**FACADE, restraint=rk.Strap(**TIE)),
+    "block on an isolated base": isolated(ON_BASE),
+}  # fmt: skip
+
+
+OWN = {rk.HeldBlock: "width", rk.Facade: "thickness", rk.IsolatedBlocks: "isolator_damping"}
 
 
 @pytest.mark.parametrize("structure", STRUCTURES.values(), ids=STRUCTURES)
 def test_frames_and_structures_whose_contacts_open_have_a_page(structure):
-    page = rk.explorer(rk.Case(structure, PULSE), {"amplitude": (1.0, 5.0), "gravity": (9, 10)})
+    name = OWN.get(type(structure), "gravity")
+    low, high = (factor * getattr(structure, name) for factor in (0.95, 1.05))
+    page = rk.explorer(rk.Case(structure, PULSE), {"amplitude": (1.0, 5.0), name: (low, high)})
     assert all(same for _, same in page._motions())
+    assert ("forces" in page.entries) == bool(getattr(structure, "restraint", ()))
 
 
 def test_motions_of_a_page_are_those_of_simulate(page):

@@ -455,3 +455,19 @@ def test_programming_error_is_not_disguised(monkeypatch):
     monkeypatch.setattr("rockeom.cli.simulate.run", broken)
     with pytest.raises(TypeError, match="not the user's fault"):
         main(FREE)
+
+
+def test_slope_of_the_command_is_that_of_python(tmp_path, capsys):
+    pulse = ["--pulse", "single-sine", "amplitude=3", "period=0.5", "duration=2"]
+    more = [*pulse, "--slope", "5deg", "--ground-axes", "world", "--out", str(tmp_path)]
+    assert main([*BLOCK, *more]) == 0
+    block = rk.RigidBlock(half_width=0.095, half_height=0.45)
+    motion = rk.GroundMotion.single_sine(3.0, 0.5, duration=2.0)
+    run = rk.simulate(block, motion, slope="5 deg", ground_axes="world")
+    assert "on a slope of 0.08727 rad (5 degrees)" in capsys.readouterr().out
+    summary = strict_json(tmp_path / "summary.json")
+    assert (summary["slope"], summary["ground_axes"]) == (run.slope, "world")
+    assert summary["peaks"]["theta"]["value"] == run.extremes("theta").peak
+    assert summary["uplift_acceleration"] == min(block.on_slope("5 deg").uplift_accelerations)
+    assert main([*BLOCK, *pulse, "--slope", "steep"]) == 2
+    assert "--slope" in capsys.readouterr().err

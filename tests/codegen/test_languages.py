@@ -53,7 +53,15 @@ ON_SPRINGS = rk.LumpedMassStructure(
     mass=3.0, height=1.0, inertia=0.5, base_mass=1.0, base_height=0.1, base_inertia=0.1,
     half_width=0.3, support=rk.TwoSprings(stiffness=1e3, damping=10.0),
 )  # fmt: skip
-NAMES = (*SHIPPED, "on springs", "while")
+STRAPPED = rk.LumpedMassStructure(
+    mass=3.0, height=1.0, inertia=0.5, base_mass=1.0, base_height=0.1, base_inertia=0.1,
+    half_width=0.3, support=rk.Sliding(friction=0.4, restitution=0.1),
+    restraint=rk.Strap(
+        at=(0.2, 1.5), to=(0.7, 1.4), stiffness=1e3, strength=50.0, breaks_at=rk.Break(energy=2.0)
+    ),
+)  # fmt: skip
+COMPOSED = {"on springs": ON_SPRINGS, "strapped": STRAPPED}
+NAMES = (*SHIPPED, *COMPOSED, "while")
 
 
 @cache
@@ -64,7 +72,7 @@ def module(name):
 
 
 def structure(name):
-    return ON_SPRINGS if name == "on springs" else SHIPPED[name](**plain(name))
+    return COMPOSED[name] if name in COMPOSED else SHIPPED[name](**plain(name))
 
 
 @cache

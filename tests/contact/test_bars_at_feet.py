@@ -12,13 +12,13 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.symbolic import Unilateral, Yielding
+from rockeom.symbolic import Tie, Unilateral, Yielding
 from tests.contact.declared import placed
 from tests.contact.test_yielding import STRENGTH, WALL, B, K, wall_with_bars
 
 KINDS = {
     "yielding": lambda name, up: Yielding(name, up, K.symbol, STRENGTH.symbol),
-    "slack": lambda name, up: Yielding(name, up, K.symbol, STRENGTH.symbol, slack=True),
+    "slack": lambda name, up: Tie(name, up, K.symbol, STRENGTH.symbol),
     "unilateral": lambda name, up: Unilateral(name, up, K.symbol),
     "damped": lambda name, up: Unilateral(name, up, K.symbol, K.symbol / 1000),
 }

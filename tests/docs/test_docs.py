@@ -16,10 +16,8 @@ from tests.pages import ROOT, cells, names_of, text_of
 
 DOCS = ROOT / "docs"
 PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations", "derived"} & set(p.parts)]
-GROUPS = tuple(
-    f"analysis.{group}"
-    for group in ["design", "dynamics", "formulas", "identification", "risk", "validation"]
-)
+_GROUPS = "design", "dynamics", "formulas", "identification", "risk", "standards", "validation"
+GROUPS = tuple(f"analysis.{group}" for group in _GROUPS)
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 
 
@@ -342,6 +340,7 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
         "how-to/reading-a-response.md",
         "how-to/equations.md",
         "how-to/own-integrator.md",
+        "how-to/codes-of-practice.md",
     ],
 )
 def test_page_runs(name, capsys):

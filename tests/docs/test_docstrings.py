@@ -14,7 +14,7 @@ from numpydoc.validate import validate
 
 import rockeom
 
-GROUPS = ("formulas", "design", "dynamics", "identification", "risk", "validation")
+GROUPS = ("formulas", "design", "dynamics", "identification", "risk", "standards", "validation")
 PACKAGES = (
     "rockeom", "rockeom.motion", "rockeom.plots",
     "rockeom.analysis", *(f"rockeom.analysis.{group}" for group in GROUPS),

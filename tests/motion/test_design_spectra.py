@@ -64,6 +64,56 @@ def test_asce_7_at_its_corners():
     assert found == pytest.approx([0.4, 0.7, 1.0, 1.0, 0.6, 0.075, 0.6 * 8 / 256])
 
 
+NZS_PERIODS = [0, 0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5]
+NZS_TABLE = {  # table 3.1, in hundredths
+    "A": "100 235 235 189 160 140 124 112 103 95 70 53 42 35 26 20 16",
+    "B": "100 235 235 189 160 140 124 112 103 95 70 53 42 35 26 20 16",
+    "C": "133 293 293 236 200 174 155 141 129 119 88 66 53 44 32 25 20",
+    "D": "112 300 300 300 300 284 253 229 209 193 143 107 86 71 52 40 32",
+    "E": "112 300 300 300 300 300 300 300 300 300 221 166 133 111 81 62 49",
+}
+
+
+@pytest.mark.parametrize("site", NZS_TABLE)
+def test_nzs_1170_5_has_the_shape_factors_of_its_table(site):
+    spectrum = rk.DesignSpectrum.nzs_1170_5(0.4, 1.0, site.lower())
+    table = np.array(NZS_TABLE[site].split(), dtype=float) / 100
+    assert spectrum(NZS_PERIODS) / (0.4 * G) == pytest.approx(table, abs=5.1e-3)
+
+
+def test_nzs_1170_5_is_its_formulas():
+    t = [0.05, 0.2, 0.4, 1.5, 2.0, 5.0]
+    by_hand = {
+        "B": [1 + 13.5 * 0.05, 2.35, 1.6 * 1.25**0.75, 1.6 / 3**0.75, 1.05 / 2, 3.15 / 25],
+        "C": [1.33 + 16 * 0.05, 2.93, 2 * 1.25**0.75, 2 / 3**0.75, 1.32 / 2, 3.96 / 25],
+        "D": [1.12 + 18.8 * 0.05, 3.0, 3.0, 2.4 / 2**0.75, 2.14 / 2, 6.42 / 25],
+    }
+    for site, shape in by_hand.items():
+        spectrum = rk.DesignSpectrum.nzs_1170_5(0.3, 1.3, site)
+        assert spectrum(t) == pytest.approx(0.39 * G * np.array(shape), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("return_factor", "distance", "share"),
+    [(1.0, 2e3, 1.0), (1.0, 0.0, 1.0), (1.0, 11e3, 0.5), (1.0, 20e3, 0.0), (0.75, 0.0, 0.0)],
+)
+def test_nzs_1170_5_near_a_fault(return_factor, distance, share):
+    t = np.array([1.0, 2.0, 3.0, 4.5, 6.0])
+    largest = [1.0, 0.24 * 2 + 0.64, 0.24 * 3 + 0.64, 0.12 * 4.5 + 1.12, 1.72]
+    far = rk.DesignSpectrum.nzs_1170_5(0.4, return_factor, "C")
+    near = rk.DesignSpectrum.nzs_1170_5(0.4, return_factor, "C", fault_distance=distance)
+    expected = 1 + share * (np.array(largest) - 1)
+    assert near(t) / far(t) == pytest.approx(expected, rel=1e-12)
+    assert ("fault at" in near.name) == (share > 0)
+
+
+def test_nzs_1170_5_limits_z_r_and_says_so():
+    limited = rk.DesignSpectrum.nzs_1170_5(0.6, 1.8, "D")
+    assert limited(0.3) == pytest.approx(0.7 * G * 3.0)
+    assert "Z R 0.7 (limit)" in limited.name
+    assert "limit" not in rk.DesignSpectrum.nzs_1170_5(0.7, 1.0, "D").name
+
+
 def test_table_is_linear_between_its_points_and_defined_nowhere_else():
     spectrum = rk.DesignSpectrum.from_table([0.1, 0.5, 2.0], [0.4, 0.8, 0.2], units="g")
     found = spectrum([[0.1, 0.3], [0.5, 2.0]]) / G
@@ -81,7 +131,8 @@ def test_spectrum_of_a_function():
 
 
 def test_spectrum_is_compared_and_travels():
-    assert pickle.loads(pickle.dumps(EUROCODE)) == EUROCODE
+    for spectrum in (EUROCODE, rk.DesignSpectrum.nzs_1170_5(0.4, 1.0, "C")):
+        assert pickle.loads(pickle.dumps(spectrum)) == spectrum
     assert rk.DesignSpectrum.eurocode_8("0.25 g", "C") != EUROCODE
 
 
@@ -94,6 +145,8 @@ def test_spectrum_is_compared_and_travels():
         (lambda s: s.eurocode_8(-2.0, "B"), "ground_acceleration is -2: give a positive"),
         (lambda s: s.eurocode_8(2.0, "B", damping_ratio=0.0), "damping_ratio is 0"),
         (lambda s: s.asce_7(9.0, 6.0, 0.5), r"t_l is 0\.5: give T_L, above s_d1/s_ds ="),
+        (lambda s: s.nzs_1170_5(0.4, 1.0, "F"), "site_class is 'F': give one of A, B, C, D, E"),
+        (lambda s: s.nzs_1170_5(0.4, 1.0, "A", fault_distance=-1), "fault_distance is -1"),
         (lambda s: s.from_table([0.1], [1.0]), "give two or more of each"),
         (lambda s: s.from_table([0.2, 0.1], [1.0, 1.0]), "periods do not rise"),
         (lambda s: s.from_table([0.1, 0.2], [1.0, 0.0]), "accelerations is an array of shape"),

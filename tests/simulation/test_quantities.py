@@ -412,3 +412,11 @@ def test_rayleigh_damping_gives_the_ratios_asked_for():
         with pytest.raises(ValueError, match=said):
             rk.rayleigh_damping(periods, ratios)
     assert refused(FRAME.damped, 0.02, mode=3) == ("mode", 3)
+
+
+def test_an_impact_at_once_is_a_loss_of_the_balance():
+    block = rk.SlidingBlock(half_width=0.2, half_height=0.6, friction=0.5, restitution=0.0, mass=50)
+    run = rk.simulate(block, rk.GroundMotion.none(1.0), initial={"y_dot": -1.0})
+    balance = run.energy_balance()
+    assert balance.impacts == run.impacts.energy_loss == -balance.gained == 25.0
+    assert balance.error == 0.0

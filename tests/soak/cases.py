@@ -54,6 +54,8 @@ class Motion:
     initial: dict[str, float]
     mode: str | None
     options: rk.SolverOptions
+    slope: float = 0.0
+    ground_axes: str = "slope"
 
     def run(self) -> rk.Response:
         return rk.simulate(self.structure, self.motion, **self.arguments(), options=self.options)
@@ -67,6 +69,8 @@ class Motion:
             "initial": self.initial,
             "vertical": self.vertical,
             "mode": self.mode,
+            "slope": self.slope,
+            "ground_axes": self.ground_axes,
         }
 
     def mirrored(self) -> Motion:
@@ -79,6 +83,7 @@ class Motion:
             self,
             structure=structure,
             motion=-self.motion,
+            slope=-self.slope,
             initial={k: v if is_even(k) else -v for k, v in self.initial.items()},
             mode=None if self.mode is None else other_side(self.mode),
         )
@@ -88,7 +93,8 @@ class Motion:
         initial = ", ".join(f"{k}={v!r}" for k, v in self.initial.items())
         return (
             f"{self.structure}\n  under {self.motion.name!r}, vertical "
-            f"{self.vertical and self.vertical.name!r}, {self.motion.duration:.6g} s\n  impact "
+            f"{self.vertical and self.vertical.name!r}, {self.motion.duration:.6g} s, "
+            f"slope {self.slope:.6g} ({self.ground_axes})\n  impact "
             f"{self.impact}, initial {{{initial}}}, mode {self.mode!r}\n  {o}"
         )
 

@@ -9,13 +9,13 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 
 import rockeom as rk
 from rockeom.codes import IMPACT, REST, SWITCH, UPLIFT
-from rockeom.motion.segments import C0, C1, C2, END, KIND, LINEAR, SINE, START
+from rockeom.motion.segments import END, START, begun_later
 from rockeom.sweeps.run import lanes_pay
 from tests.soak.cases import Dice, Motion, draw, is_even, other_side
 from tests.soak.physics import Physics, physics
@@ -619,7 +619,7 @@ def cut(r: Record) -> Found:
     line, apart = _apart(r)
     o = r.motion.options
     if apart is not None:
-        motion = replace(r.motion, options=_finer(o))
+        motion = replace(r.motion, options=finer(o))
         again, still = _apart(Record(motion, motion.run()))
         if not again or (still is not None and (still <= 0.1 * apart).all()):
             return
@@ -627,7 +627,7 @@ def cut(r: Record) -> Found:
         yield line
 
 
-def _finer(o: rk.SolverOptions) -> rk.SolverOptions:
+def finer(o: rk.SolverOptions) -> rk.SolverOptions:
     """A thousandth of the tolerance, as far as rounding errors allow."""
     part = max(1e-3, 1e-13 / o.rtol)
     return replace(o, rtol=part * o.rtol, atol=part * o.atol, max_steps=20 * o.max_steps)
@@ -656,17 +656,8 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
         mode = first.events.columns[1][-1, 2]
 
     def rest(state: np.ndarray, scale: float = 1.0) -> rk.Response:
-        vertical = r.motion.vertical
-        return rk.simulate(
-            r.motion.structure,
-            later(r.motion.motion, at, run.duration).scaled(scale),
-            impact=r.motion.impact,
-            initial=dict(zip(m.STATES, state.tolist(), strict=True)),
-            vertical=None if vertical is None else later(vertical, at, run.duration),
-            duration=run.duration - at,
-            mode=m.MODES[mode],
-            options=r.motion.options,
-        )
+        initial = dict(zip(m.STATES, state.tolist(), strict=True))
+        return rest_of(r.motion, at, scale, initial=initial, mode=m.MODES[mode])
 
     second = rest(first.end)
     o = r.motion.options
@@ -707,18 +698,21 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
     ), apart
 
 
+def rest_of(m: Motion, at: float, scale: float = 1.0, **start: Any) -> rk.Response:
+    """The motion from a time on, from another start, on ground that is scaled."""
+    whole = m.motion.duration
+    how = {**m.arguments(), **start, "duration": whole - at}
+    how["vertical"] = None if m.vertical is None else later(m.vertical, at, whole)
+    ground = later(m.motion, at, whole).scaled(scale)
+    return rk.simulate(m.structure, ground, **how, options=m.options)
+
+
 def later(motion: rk.GroundMotion, t: float, duration: float) -> rk.GroundMotion:
     """The rest of a motion from time t on."""
-    laws = motion.segments[motion.segments[:, END] > t].copy()
+    laws = motion.segments[motion.segments[:, END] > t]
     if not len(laws):
         return rk.GroundMotion.none(duration - t)
-    passed = max(t - laws[0, START], 0.0)
-    if laws[0, KIND] == LINEAR:
-        laws[0, C0] += laws[0, C1] * passed
-    elif laws[0, KIND] == SINE:
-        laws[0, C2] += laws[0, C1] * passed
-    else:
-        laws[0, C2] -= passed
+    laws = begun_later(laws, np.maximum(t - laws[:, START], 0.0))
     laws[:, : END + 1] -= t
     laws[0, START] = 0.0
     return rk.GroundMotion(laws)
@@ -810,7 +804,7 @@ def _in_lanes(r: Record, steps: int, linear: bool) -> Found:
         if off is None and (not _beside([kept[i]], roomier) or _undecided(kept[i], options)):
             continue  # a limit that one way of landing just meets, or a millionth decides it
         if off is not None:
-            again = _beside([kept[i]], _finer(options)).get(0)
+            again = _beside([kept[i]], finer(options)).get(0)
             if again is None or (again[1] is not None and (again[1] <= 0.1 * off).all()):
                 continue  # errors of steps, which become smaller
         yield f"lanes: sibling {i} with {options.steps_per_segment} steps {line}"

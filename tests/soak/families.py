@@ -9,6 +9,7 @@ import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -28,6 +29,7 @@ from tests.mechanics import (
     Storey,
     of_sliding_block,
     of_stack,
+    two_feet,
 )
 from tests.soak import cases
 from tests.soak.cases import Dice, Motion
@@ -45,6 +47,8 @@ class Drawn:
     initial: dict[str, float]
     motion: rk.GroundMotion
     vertical: rk.GroundMotion | None = None
+    slope: float = 0.0
+    ground_axes: str = "slope"
 
 
 def family_of(seed: int) -> str | None:
@@ -79,8 +83,9 @@ def drawn(seed: int) -> tuple[Motion, Mechanics]:
     variants = _VARIANTS[family]
     of = variants[model_of(seed)](Dice(seed))
     motion = Motion(
-        seed, of.structure, of.motion, of.vertical, None, of.initial, None, _options(seed)
-    )
+        seed, of.structure, of.motion, of.vertical, None, of.initial, None, _options(seed),
+        of.slope, of.ground_axes,
+    )  # fmt: skip
     return motion, of.by_hand
 
 
@@ -179,10 +184,7 @@ def _other_law(law: str) -> Callable[[Dice], Drawn]:
             block = replace(block, initial={"theta": numbers["half_width"] * dice.over(1e-2, 0.5)})
         if law == "lzb" and numbers["restitution"]:
             numbers["restitution"] = max(numbers["restitution"], LEAST_RESTITUTION)
-        feet = tuple(
-            Foot(n, s * numbers["half_width"], 0.0, numbers["friction"], numbers["restitution"])
-            for n, s in (("left", -1), ("right", 1))
-        )
+        feet = two_feet(*(numbers[n] for n in ("half_width", "friction", "restitution")))
         by_hand = BlockOnFeet(numbers["mass"], numbers["inertia"], numbers["height"], feet)
         return replace(block, structure=rk.structure(_block_by(law), **numbers), by_hand=by_hand)
 
@@ -291,13 +293,6 @@ def _frame_ground(dice: Dice, structure: Structure, by_hand: Frame) -> Drawn:
     return Drawn(structure, by_hand, initial, motion)
 
 
-def _frame_feet(b: float, support: rk.Sliding) -> tuple[Foot, ...]:
-    return tuple(
-        Foot(name, s * b, 0.0, support.friction, support.restitution)
-        for name, s in (("left", -1), ("right", 1))
-    )
-
-
 def _support(dice: Dice) -> rk.Sliding:
     return rk.Sliding(friction=min(_friction(dice), 0.8), restitution=_restitution(dice))
 
@@ -321,7 +316,7 @@ def _shear_frame(dice: Dice) -> Drawn:
         Storey(mass[i], 0.0, heights[i], stiffness[i], damping[i], f"u_{i + 1}") for i in (0, 1)
     )
     by_hand = Frame(
-        floors, base, 0.0, inertia, b, _frame_feet(b, support),
+        floors, base, 0.0, inertia, b, two_feet(b, support.friction, support.restitution),
         coordinates=("x", "y", "theta", "u_1", "u_2"),
     )  # fmt: skip
     return _frame_ground(dice, structure, by_hand)
@@ -344,8 +339,8 @@ def _flexible_structure(dice: Dice) -> Drawn:
     support = _support(dice)
     structure = rk.FlexibleStructure(**given, stiffness=k, damping=c, support=support)
     by_hand = _on_base(given, (k, c), "u", ("x", "y", "theta", "u"))
-    by_hand = replace(by_hand, feet=_frame_feet(given["half_width"], support))
-    return _frame_ground(dice, structure, by_hand)
+    feet = two_feet(given["half_width"], support.friction, support.restitution)
+    return _frame_ground(dice, structure, replace(by_hand, feet=feet))
 
 
 def _on_base(
@@ -481,10 +476,7 @@ def _held_block(dice: Dice) -> tuple[dict[str, float], dict[str, float]]:
 
 
 def _hand_block(block: dict[str, float]) -> BlockOnFeet:
-    feet = tuple(
-        Foot(n, s * block["half_width"], 0.0, block["friction"], block["restitution"])
-        for n, s in (("left", -1), ("right", 1))
-    )
+    feet = two_feet(*(block[name] for name in ("half_width", "friction", "restitution")))
     return BlockOnFeet(block["mass"], block["inertia"], block["height"], feet)
 
 
@@ -630,13 +622,124 @@ def _a_stop(dice: Dice) -> Drawn:
         "mass": mass, "height": h, "inertia": inertia, "gravity": GRAVITY, "friction": friction,
         "restitution": e, "half_width": b, "away": away, "length": height,
     }  # fmt: skip
-    feet = tuple(Foot(n, s * b, 0.0, friction, e) for n, s in (("left", -1), ("right", 1)))
     by_hand = AtWall(
-        mass, inertia, h, feet, point=("stop", b, height), wall=away, facing=-1.0, bounces=e
-    )
+        mass, inertia, h, two_feet(b, friction, e), point=("stop", b, height), wall=away,
+        facing=-1.0, bounces=e,
+    )  # fmt: skip
     initial = {"x_dot": dice.over(0.1, 5.0)}
     motion = rk.GroundMotion.none(dice.over(2.0, 8.0) * math.sqrt(h / GRAVITY))
     return Drawn(rk.structure(_before_a_stop(), **given), by_hand, initial, motion)
+
+
+# -- structures of practice, and ground that slopes
+
+
+_TIES = {
+    "putty": ("force", False), "anchor": ("energy", True), "strap": ("force", True),
+    "facade": ("extension", False),
+}  # fmt: skip
+"""Limits at which ties break, and whether they yield."""
+
+
+def _ties(dice: Dice, hand: BlockOnFeet, kind: str) -> tuple[Any, ...]:
+    """Ties of a block, or none; a small part of its half-width draws them to their strength."""
+    if kind not in _TIES:
+        return ()
+    limit, yields = _TIES[kind]
+    b, h, strength = hand.feet[1].along, hand.height, hand.mass * GRAVITY * dice.over(0.05, 2.0)
+    stiffness = strength / (b * dice.over(1e-3, 0.1))
+    slack = dice.one_of(0.0, 0.0, b * dice.over(1e-4, 0.05))
+    limits = {
+        "force": strength * dice.over(0.9, 1.5),
+        "extension": slack + strength / stiffness * dice.over(0.9, 5.0),
+        "energy": strength * b * dice.over(1e-3, 0.2),
+    }
+    pretension = strength * dice.one_of(0.0, 0.0, dice.between(0.01, 0.8))
+    given = {"stiffness": stiffness, "slack_length": slack, "pretension": pretension}
+    given["breaks_at"] = rk.Break(**{limit: limits[limit]})
+    if yields:
+        given |= {"strength": strength, "hardening": stiffness * dice.one_of(0.0, 0.05, 0.3)}
+    if kind == "putty":
+        return rk.Anchor.pair(**given)
+    if kind == "anchor":
+        return (rk.Anchor(foot="left", **given),)
+    at = -b * dice.one_of(1.0, dice.between(0.0, 1.0)), h * dice.between(0.2, 2.0)
+    to = at[0] - b * dice.one_of(0.0, dice.over(0.3, 3.0)), -h * dice.between(0.1, 1.0)
+    return (rk.Strap(at=at, to=to, **given),)
+
+
+def _practical(kind: str) -> Callable[[Dice], Drawn]:
+    """A sliding block made into a `HeldBlock`, a `Facade` or `IsolatedBlocks`."""
+
+    def drawn(dice: Dice) -> Drawn:
+        block = _sliding_block(dice)
+        hand, initial = block.by_hand, block.initial
+        b, h, mass, e = hand.feet[1].along, hand.height, hand.mass, hand.feet[1].restitution
+        mu, time = min(hand.feet[1].friction, 0.8), math.sqrt(h / GRAVITY)
+        size = {"width": 2 * b, "height": 2 * h, "mass": mass, "friction": mu, "restitution": e}
+        feet, own = two_feet(b, mu, e), {}
+        if ties := _ties(dice, hand, kind):
+            size["restraint"] = ties
+            flows = [f"{tie.name}_extension" for tie in ties if not math.isinf(tie.strength)]
+            own = {"ties": ties, "internal": (*flows, *(f"{tie.name}_broken" for tie in ties))}
+            if dice.chance(0.9):  # leaning it may begin beyond its limit
+                initial = {n: x for n, x in initial.items() if n not in ("theta", "y")}
+        if kind == "rounded":
+            radius = b * dice.over(0.01, 0.9)
+            offset = (b - radius) * dice.one_of(0.0, dice.between(-0.8, 0.8))
+            size |= {"corner_radius": radius, "centroid_offset": offset}
+            feet, own = two_feet(b - radius, mu, e), {"radius": radius, "offset": offset}
+        elif kind == "round base":
+            size["base_radius"] = own["radius"] = b * dice.over(1.0, 10.0)
+            feet = (Foot("base", 0.0, 0.0, mu, e),)
+            initial.pop("y", None)
+            edge = 0.9 * math.asin(b / own["radius"])  # of the round base: the motion ends there
+            initial["theta"] = max(-edge, min(edge, initial.get("theta", 0.0)))
+        elif kind == "wall":
+            gap, bounces = h * dice.over(1e-3, 0.3), _restitution(dice)
+            size |= {"wall_gap": gap, "wall_restitution": bounces}
+            own = {"point": ("wall", b, 2 * h), "wall": b + gap, "facing": -1.0, "bounces": bounces}
+            initial["theta"] = -abs(initial.get("theta", 0.0))  # it may not begin beyond it
+        elif kind == "push":
+            size["loads"] = rk.Push(
+                at=(0.0, h * dice.between(0.1, 2.0)), start=time * dice.one_of(0.0, 1.0),
+                force=mass * GRAVITY * dice.over(0.05, 2.0) * dice.one_of(1.0, -1.0),
+                duration=time * dice.over(0.1, 4.0),
+            )  # fmt: skip
+            own = {"pushes": (size["loads"],), "internal": ("push_time",)}
+        elif kind == "facade":
+            feet = (Foot("walls", -b, 0.0, 0.0, e),)
+            own |= {"pivot": b, "coordinates": ("theta",)}
+            del size["friction"]
+            size["thickness"] = size.pop("width")
+            initial = {n: abs(x) for n, x in initial.items() if n.startswith("theta")}
+        elif kind == "isolator":
+            base, rate = mass * dice.over(0.1, 10.0), dice.over(0.2, 3.0) / time
+            stiffness = (mass + base) * rate**2
+            damping = (mass + base) * rate * dice.between(0.0, 0.6)
+            size = {
+                "blocks": (rk.RigidBlock(half_width=b, half_height=h, mass=mass),), "friction": mu,
+                "restitution": e, "base_mass": base, "isolator_stiffness": stiffness,
+                "isolator_damping": damping,
+            }  # fmt: skip
+            coordinates = "u", "x", "y", "theta"
+            own = {"isolator": (base, stiffness, damping), "coordinates": coordinates}
+            initial["u_dot"] = h / time * dice.one_of(0.0, dice.between(-0.5, 0.5))
+        make = {"facade": rk.Facade, "isolator": rk.IsolatedBlocks}.get(kind, rk.HeldBlock)
+        of = AtWall if kind == "wall" else BlockOnFeet
+        by_hand = of(mass, hand.inertia, h, feet, **own)
+        return replace(block, structure=make(**size), by_hand=by_hand, initial=initial)
+
+    return drawn
+
+
+def _on_slope(drawn: Callable[[Dice], Drawn]) -> Callable[[Dice], Drawn]:
+    def sloping(dice: Dice) -> Drawn:
+        of, slope = drawn(dice), dice.over(1e-3, 0.3) * dice.one_of(1.0, -1.0)
+        axes = "slope" if of.vertical else dice.one_of("slope", "world")
+        return replace(of, slope=slope, ground_axes=axes)
+
+    return sloping
 
 
 _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
@@ -664,9 +767,21 @@ _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
         for law in ("moreau", "poisson", "lzb", "pairwise")
     },
     "loads": {"block_and_weight": _loaded(False), "block_and_jack": _loaded(True)},
-}
+    "ties": {f"held by {kind}": _practical(kind) for kind in ("putty", "anchor", "strap")},
+    "practice": {
+        f"held_block, {kind}": _practical(kind)
+        for kind in ("rounded", "round base", "wall", "push", "facade", "isolator")
+    },
+    "slopes": {
+        f"{name} on a slope": _on_slope(drawn)
+        for name, drawn in (
+            ("block", _sliding_block), ("stack", _stacked_blocks), ("column", _flexible_structure),
+            *((kind, _practical(kind)) for kind in ("strap", "facade", "isolator")),
+        )
+    },
+}  # fmt: skip
 FAMILIES = tuple(_VARIANTS)
-ALLOWED: tuple[str, ...] = ()
+ALLOWED: tuple[str, ...] = ("beyond the limit at which it breaks",)
 """Texts of errors with which a motion may be refused."""
 
 

@@ -205,16 +205,8 @@ def planted(name: str) -> int:
             for path in cache_folder().glob("soak_*.py"):
                 shutil.copy(path, copy / "cache")
         command = [sys.executable, "-m", "tests.soak", "--stop", "--workers", "1"]
-        command += [
-            "--runs",
-            str(fault.runs),
-            "--models",
-            *fault.models,
-            "--methods",
-            *fault.methods,
-            "--check",
-            fault.check,
-        ]
+        command += ["--runs", str(fault.runs), "--check", fault.check]
+        command += ["--models", *fault.models, "--methods", *fault.methods]
         done = subprocess.run(
             command, cwd=copy, env=environment, check=False, stderr=subprocess.PIPE, text=True
         )

@@ -20,7 +20,7 @@ Each check yields a line for each violation; its first words name the kind. The 
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -33,6 +33,7 @@ from tests.mechanics import (
     SENSE,
     STICK,
     At,
+    Bar,
     Fit,
     Mechanics,
     Solved,
@@ -40,12 +41,15 @@ from tests.mechanics import (
     impulses,
     motions,
 )
-from tests.soak.cases import is_even
-from tests.soak.checks import FINEST, Record, finite, joined, ordered
+from tests.soak.cases import Dice, is_even
+from tests.soak.checks import FINEST, Record, finer, finite, joined, ordered, rest_of
 
 Found = Iterator[str]
 
-SLACK = 1000.0
+SLACK = -1
+"""State of a tie that does not pull."""
+UNDECIDED = (rk.Outcome.NO_SOLUTION, rk.Outcome.SEVERAL_SOLUTIONS)
+LESS = 1000.0
 """By how much a state may be less accurate than the tolerance of a step says."""
 NOISE = 1e-9
 """Relative rounding of forces and impulses of systems of equations as they occur here."""
@@ -86,6 +90,14 @@ class Told(Record):
         names = list(self.program.STATES)
         return np.array([names.index(f"{name}_dot") for name in self.by_hand.coordinates])
 
+    def shaking(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Along and normal to the slope, with what its weight adds to that on level ground."""
+        across, up = super().shaking(t)
+        g, sin, cos = self.by_hand.gravity, math.sin(self.motion.slope), math.cos(self.motion.slope)
+        if self.motion.ground_axes == "world":
+            across, up = across * cos - up * sin, across * sin + up * cos
+        return across - g * sin, up + g * (cos - 1.0)
+
     def at(self, y: np.ndarray) -> At:
         """Mechanics in states y (k, N)."""
         names = list(self.program.STATES)
@@ -96,7 +108,7 @@ class Told(Record):
     def loose(self) -> float:
         """Relative error that a state may have."""
         o = self.motion.options
-        return SLACK * max(o.rtol, FINEST)
+        return LESS * max(o.rtol, FINEST)
 
     @cached_property
     def speed(self) -> float:
@@ -104,7 +116,7 @@ class Told(Record):
         first = self.at(self.first)
         kinetic = first.kinetic().max(initial=0.0)
         mass = first.whole
-        return math.sqrt(2 * kinetic / mass) + SLACK * self.motion.options.atol / self.loose
+        return math.sqrt(2 * kinetic / mass) + LESS * self.motion.options.atol / self.loose
 
     def step_of_rest(self, event: int) -> np.ndarray:
         """The step of a rest, if it takes any time: it goes from its state before in a line."""
@@ -145,7 +157,13 @@ def on_contacts(r: Told) -> Found:
     yield from followed(r)
     yield from met(r)
     yield from rested(r)
+    yield from snapped(r)
     yield from ended(r)
+
+
+def worst(over: np.ndarray) -> list[int]:
+    """Where it is largest, if that is above zero."""
+    return [int(over.argmax())] if (over > 0.0).any() else []
 
 
 # -- between events
@@ -217,15 +235,13 @@ def _possible(r: Told, at: At, pattern, solved: Solved, ax, ay, where) -> Found:
     points = at.parts.points
     for column, i in enumerate(solved.normal):
         pull = -solved.pressed[:, column] - room
-        if (pull > 0).any():
-            s = int(pull.argmax())
+        for s in worst(pull):
             tension = -solved.pressed[s, column]
             yield f"tension: {points[i].name} pulls with {tension:.6g} N {where(s)}"
     for column, i in enumerate(solved.along):
         bound = at.bound(i, solved)
         over = np.abs(solved.friction[:, column]) - bound - room
-        if (over > 0).any():
-            s = int(over.argmax())
+        for s in worst(over):
             yield (
                 f"friction: {points[i].name} needs {solved.friction[s, column]:.6g} N of "
                 f"{bound[s]:.6g} N {where(s)}"
@@ -237,17 +253,14 @@ def _possible(r: Told, at: At, pattern, solved: Solved, ax, ay, where) -> Found:
         else:
             sunk = np.abs(gap) - gap_room
             apart = np.abs(rate[:, 1]) - rate_room
-            if (apart > 0).any():
-                s = int(apart.argmax())
+            for s in worst(apart):
                 yield (
                     f"constraint: the gap of closed {points[i].name} changes at {rate[s, 1]:.3g} "
                     f"m/s {where(s)}"
                 )
-        if (sunk > 0).any():
-            s = int(sunk.argmax())
+        for s in worst(sunk):
             yield f"gap: that of {points[i].name} is {gap[s]:.6g} m {where(s)}"
-        if state == STICK and (np.abs(rate[:, 0]) > rate_room).any():
-            s = int(np.abs(rate[:, 0]).argmax())
+        for s in worst(np.where(state == STICK, np.abs(rate[:, 0]) - rate_room, 0.0)):
             yield f"slip: {points[i].name} sticks and slips at {rate[s, 0]:.3g} m/s {where(s)}"
         if SENSE[state] and points[i].friction and (-SENSE[state] * rate[:, 0] > rate_room).any():
             s = int((-SENSE[state] * rate[:, 0]).argmax())
@@ -280,32 +293,121 @@ def _yielded(r: Told, at: At, elements, steps: np.ndarray, where) -> Found:
     powers = r.run.steps.powers[steps]
     h, samples = r.length[steps], len(NODES)
     for state, bar in zip(elements, at.parts.bars, strict=False):
+        if bar.tie is not None:
+            yield from _tied(r, bar, state, where)
+            if state == SLACK or math.isinf(bar.strength):
+                continue
         j = names.index(f"{bar.name}_extension")
-        driven = bar.force - bar.hardening * bar.extension
+        driven = bar.tension - bar.hardening * bar.extension
         room = (r.loose + 1e-8) * (
-            bar.strength + bar.stiffness * np.abs(bar.place.value[:, 1]) + bar.stiffness * 1e-9
+            bar.strength + bar.stiffness * np.abs(bar.drawn) + bar.stiffness * 1e-9
         )
-        over = (np.abs(driven) if state == 0 else np.abs(driven - state * bar.strength)) - room
-        if state == 0:
-            over = over - bar.strength
-        if (over > 0).any():
-            s = int(over.argmax())
+        over = np.abs(driven - state * bar.strength) - room
+        if state == 0:  # a tie does not yield by pressure
+            over = (driven if bar.tie else np.abs(driven)) - room - bar.strength
+        for s in worst(over):
             yield (
                 f"strength: {bar.name} carries {driven[s]:.6g} N of {bar.strength:.6g} N in state "
                 f"{state} {where(s)}"
             )
         moves = powers[:, 1:, j].sum(axis=1)
-        rate = np.einsum("kn,kn->k", bar.place.jacobian[:, 1], at.states.v)
+        rate = np.einsum("kn,kn->k", bar.row, at.states.v)
         flows = rate * bar.stiffness / (bar.stiffness + bar.hardening) * abs(state)
         back = -state * rate - (r.loose + 1e-8) * (r.speed + np.abs(rate))
-        if (back > 0).any():
-            s = int(back.argmax())
+        for s in worst(back):
             yield f"flow: {bar.name} flows with {state}, at {rate[s]:.3g} m/s {where(s)}"
         lack = moves - flows.reshape(len(steps), samples) @ WEIGHTS * h
         may = r.loose * (np.abs(powers[:, 0, j]) + np.abs(rate).max() * h) + 1e-3 * r.loose
         if (np.abs(lack) > may).any():
             i = int(np.abs(lack).argmax())
             yield f"flow: {bar.name} grows by {lack[i]:.3g} m too much {where(i * samples)}"
+
+
+def _tied(r: Told, bar: Bar, state: int, where) -> Found:
+    """A tie pulls where it is drawn, and is whole within its limit."""
+    slow = (r.loose + 1e-8) * (bar.tie.slack_length + np.abs(bar.drawn) + 1e-2 * r.by_hand.size)
+    reached, limit, unit = _of_limit(bar)
+    pulls = bar.tension if state == SLACK else -bar.tension
+    wrong = np.where(bar.broken > 0.0, state != SLACK, pulls - bar.stiffness * slow)
+    beyond = (1.0 - bar.broken) * (reached - limit - unit * slow)
+    for what, over in (("should not pull", wrong), ("should have broken", beyond)):
+        for s in worst(over):
+            yield f"tie: {bar.name} {what} in state {state}, at {bar.tension[s]:.6g} N {where(s)}"
+
+
+def _of_limit(bar: Bar) -> tuple[np.ndarray, float, float]:
+    """What is to reach the limit of a tie, the limit, and by how much a metre changes the first."""
+    ((name, limit),) = bar.tie.limits.items()
+    if name == "energy":
+        return bar.strength * bar.extension, limit, bar.strength
+    return (bar.tension, limit, bar.stiffness) if name == "force" else (bar.drawn, limit, 1.0)
+
+
+def snapped(r: Told) -> Found:
+    """Ties break at their limits, for good; what they held is a loss of its own."""
+    before, after = (r.at(y).parts.bars for y in (r.before, r.after))
+    held, small = 0.0, r.loose + 1e-8
+    for one, other in zip(before, after, strict=True):
+        if one.tie is None:
+            return
+        if not np.isin([one.broken, other.broken], (0.0, 1.0)).all():
+            yield f"break: {one.name} is neither whole nor broken at an event"
+        breaks = np.flatnonzero(other.broken != one.broken)
+        if len(breaks) > 1:
+            yield f"break: {one.name} breaks {len(breaks)} times"
+        reached, limit, unit = _of_limit(one)
+        for i in breaks:
+            held += 0.5 * one.force[i] ** 2 / one.stiffness
+            held += 0.5 * one.hardening * one.extension[i] ** 2
+            if abs(reached[i] - limit) > small * (limit + unit * r.by_hand.size):
+                yield f"break: {one.name} at {reached[i]:.9g} of {limit:.9g}"
+    told = r.run.energy_balance().breaks
+    if abs(told - held) > small * (held + r.speed**2):
+        yield f"break: the energy of ties that broke is {told:.9g} J, by hand {held:.9g} J"
+    for name, most in switches(r).items():
+        if most > 4:
+            yield f"switches: {name} switches {most} times between two crests"
+
+
+def switches(r: Told) -> dict[str, int]:
+    """Of each tie, the most changes of its state from one crest of its elongation to the next.
+
+    What stood still, such as a block between two slips, has come to a crest.
+    A tie that hovers about its length as fast as rounding errors, such as an anchor under a foot at
+    rest, may slacken and tighten again and again: these count for none.
+    """
+    powers, small, found = r.run.steps.powers, 1e-9 * r.speed, {}
+    within = np.einsum("xj,nji->nxi", _POWERS, powers).reshape(-1, powers.shape[2])
+    at = r.at(within), r.at(r.before)
+    for i, bars in enumerate(zip(*(of.parts.bars for of in at), strict=True)):
+        rate, of_event = (
+            np.einsum("kn,kn->k", bar.row, x.states.v) for bar, x in zip(bars, at, strict=True)
+        )
+        then = np.append(rate[1:], 0.0)
+        crests = (rate > -small) & (then < -small) | (np.abs(rate) < small) & (then > small)
+        states = np.array(r.program.ELEMENT_STATES)[:, i]
+        one, other = states[r.sources], states[r.targets]
+        hovers = (one + other == SLACK) & (np.abs(of_event) < small)
+        own = r.times[(one != other) & (r.times > 0.0) & ~hovers]
+        last = (np.searchsorted(r.stop, own * (1.0 - 1e-15)) + 1) * len(NODES) - 1
+        passages = (np.cumsum(crests) - crests)[np.minimum(last, len(crests) - 1)]
+        found[bars[0].name] = int(np.bincount(passages).max(initial=0))
+    return found
+
+
+def continued(r: Told) -> Found:
+    """A motion that goes on from `run.final` alone is the whole, where the same events follow."""
+    m = replace(r.motion, options=finer(r.motion.options))
+    at = m.motion.duration * Dice(m.seed, 2).between(0.1, 0.9)
+    every, how = m.run(), {**m.arguments(), "duration": at, "options": m.options}
+    rest = rest_of(m, at, initial=rk.simulate(m.structure, m.motion, **how).final)
+    passed = [[e.mode_after for e in x.events if e.time > t] for x, t in ((rest, 0), (every, at))]
+    if passed[0] != passed[1] or every.outcome in UNDECIDED or every.t[-1] < at:
+        return  # other events, or none
+    for name in every.states:
+        apart = abs(rest.final[name] - every.final[name])
+        if apart > 1e-6 * abs(every.extremes(name).peak) + 1e-7 * r.by_hand.size:
+            yield f"continued: from the state at {at:.9g} s, {name} ends {apart:.3g} apart"
 
 
 def started(r: Told) -> Found:
@@ -709,12 +811,14 @@ def mirrored_impacts(r: Told) -> Found:
             return
 
 
-POINTED = ("blocks", "stacks", "feet", "frames", "bars", "smooth", "laws", "loads")
+PRACTICAL = ("ties", "practice", "slopes")
+POINTED = ("blocks", "stacks", "feet", "frames", "bars", "smooth", "laws", "loads", *PRACTICAL)
 SYMMETRIC = ("blocks", "stacks", "frames", "laws", "loads")
 SOMETIMES = {
     "lost": (0.2, POINTED, lost),
     "swept": (0.05, POINTED, swept),
     "mirrored": (0.2, SYMMETRIC, mirrored_impacts),
+    "continued": (0.3, PRACTICAL, continued),
 }
 """Checks that take other motions or quadratures: the share of seeds, the families, the check."""
 
@@ -765,7 +869,7 @@ def ended(r: Told) -> Found:
         rk.Outcome.CHATTER, rk.Outcome.STALLED, rk.Outcome.TOO_MANY_IMPACTS,
     ):  # fmt: skip
         yield f"{word}: at {last:.9g} s"
-    if run.outcome in (rk.Outcome.NO_SOLUTION, rk.Outcome.SEVERAL_SOLUTIONS):
+    if run.outcome in UNDECIDED:
         yield from _undecided(r, word, last)
 
 

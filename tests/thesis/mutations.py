@@ -86,14 +86,16 @@ DERIVATIONS = {
     "symbolic/rocking.py": (
         ("5-9", "pivot = (SIDE * half_width", "pivot = (-SIDE * half_width"),
     ),
-    "symbolic/elements.py": (
+    "symbolic/elements/spring.py": (
         ("5-35", "sp.sympify(self.deformation) ** 2 / 2", "sp.sympify(self.deformation) ** 2"),
         ("D-15", "rate(self.deformation, coordinates) ** 2 / 2", "self.deformation**2 / 2"),
-        ("4-27", "self.initial_force + self.stiff", "self.initial_force - self.stiff"),
-        # the tendon: a sign, a factor, a term, its energy
-        ("4-16", "_force + self.stiffness * (self", "_force - self.stiffness * (self"),
-        ("4-16", "self.stiffness * (self.elong", "2 * self.stiffness * (self.elong"),
-        ("4-16", "self.initial_force + self.stiffness * (", "self.stiffness * ("),
+    ),
+    # the tendon: a sign, a factor, a term, its energy
+    "symbolic/elements/tie.py": (
+        ("4-27", "return self.pretension + self.stiff", "return self.pretension - self.stiff"),
+        ("4-16", "return self.pretension + self.stiff", "return self.pretension - self.stiff"),
+        ("4-16", "n + self.stiffness * drawn\n", "n + 2 * self.stiffness * drawn\n"),
+        ("4-16", "return self.pretension + self.stiff", "return self.stiff"),
         ("4-27", "self._elastic**2 / (2 *", "self._elastic**2 / ("),
     ),
     "symbolic/algebra.py": (

@@ -9,6 +9,7 @@ import numpy as np
 from rockeom.numbers.checks import require
 from rockeom.numbers.dual import tangent_of, with_tangent
 from rockeom.simulation.case import Case
+from rockeom.simulation.ground import ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import filled
@@ -209,10 +210,7 @@ def quantity_tangents(carried: Tangents, quantity: str, times: np.ndarray) -> np
     still = np.zeros((len(p), 1))  # by time
     moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
     y, modes = run.steps.at(times, "right")
-    ground = [
-        np.zeros(len(times)) if motion is None else motion.acceleration(times)
-        for motion in (run.motion, run.vertical)
-    ]
+    ground = ground_of(run).accelerations(times)
     rates = filled(module, run.structure.vector, "rates", module.N_STATES, modes, y, *ground)
     by = np.append(carried.at(times), rates.T[..., None], axis=2)
     values = [

@@ -14,6 +14,8 @@ class Sketch {
     this.canvas = canvas;
     this.runner = runner;
     this.size = 1;
+    /** Height of the ground, below the bearings of a structure that has such. */
+    this.level = 0;
   }
 
   /** Measure the structure at the start, so that the scale stays while it moves. */
@@ -26,7 +28,10 @@ class Sketch {
     for (const corners of this.outlines()) {
       for (const [x, y] of corners) most = Math.max(most, Math.abs(x), y);
     }
-    this.size = most || 1;
+    for (let m = 0; m < of.members.length; m++) {
+      if (of.members[m] === "column") this.level = Math.min(this.level, this.ends(m)[0][1]);
+    }
+    this.size = most - this.level || 1;
   }
 
   /** Outlines of the bodies, where they are now, with the copies of those that stand for several. */
@@ -75,7 +80,7 @@ class Sketch {
     // what leaves the picture all the same comes back on the other side
     const away = ((((shift * scale) % width) + 1.5 * width) % width) - width / 2;
     this.ground(paint, height - 28, away);
-    this.stand(paint, [width / 2 + away, height - 28], scale, i);
+    this.stand(paint, [width / 2 + away, height - 28 + this.level * scale], scale, i);
   }
 
   /** The ground, hatched; away is where its hatches begin. @param {Pen} paint @param {number} level @param {number} away */
@@ -111,7 +116,7 @@ class Sketch {
     of.members.forEach((/** @type {string} */ kind, /** @type {number} */ m) => {
       const ends = this.ends(m);
       to.strokeStyle = color(kind === "tendon" ? "orange" : kind in SHAPES ? "ink" : "blue");
-      member(to, kind, on(ends[0]), on(ends[1]), on(ends[2]));
+      member(to, this.state(kind, of.memberEnds[2 * m]), on(ends[0]), on(ends[1]), on(ends[2]));
     });
     to.strokeStyle = color("blue");
     to.lineWidth = 1.5;
@@ -123,12 +128,26 @@ class Sketch {
         to.fillStyle = color("blue");
         disc(to, ...on(at), of.corners.includes(of.positions[k]) ? 3.5 : 8);
         to.fill();
-      } else if (kind !== "load" && kind !== "massless" && kind !== "point") {
+      } else if (kind === "push") {
+        const tail = at[0] - 0.2 * this.size * Math.sign(this.runner.force(of.positions[k]) ?? 0);
+        to.strokeStyle = color("orange");
+        if (tail !== at[0]) member(to, "push", on([tail, at[1]]), on(at), on(at));
+      } else if (kind === "end") {
+        to.fillStyle = color("ink");
+        to.fillRect(on(at)[0] - 8, on(at)[1] - 3, 16, 6);
+      } else if (/^(foot|wall|spring)/.test(kind)) {
         for (const shift of this.shifts(of.copies[0] ?? "")) {
           foot(to, color, on([at[0] + shift, at[1]]), at[1] <= ON_GROUND * this.size, flash);
         }
       }
     });
+  }
+
+  /** The kind of a member, in the state of the element whose it is. @param {string} kind @param {string} name */
+  state(kind, name) {
+    const force = this.runner.force(name);
+    if (kind !== "tendon" || force === undefined) return kind;
+    return Number.isNaN(force) ? "broken" : force > 0 ? "tight" : "slack";
   }
 
   /** Where a body or a foot is. @param {number} k @returns {Point} */
@@ -189,13 +208,19 @@ const SHAPES = {
     [0.55, 4, 0.55, -4],
     [0.55, 0, 1, 0],
   ],
+  push: [[0, 0, 1, 0, 0.8, -5, 1, 0, 0.8, 5]],
+  broken: [
+    [0, 0, 0.4, 0],
+    [0.6, 0, 1, 0],
+  ],
+  wall: [[0, 0, 1, 0], ...Array.from({ length: 16 }, (_, k) => [(k + 1) / 16, 0, k / 16, -9])],
 };
 
 /** @param {CanvasRenderingContext2D} to @param {string} kind @param {Point} a @param {Point} b @param {Point} towards */
 function member(to, kind, a, b, towards) {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const length = Math.hypot(dx, dy) || 1;
-  to.lineWidth = kind in SHAPES || kind === "tendon" ? 1.5 : 3;
+  to.lineWidth = kind in SHAPES || kind === "tendon" || kind === "slack" ? 1.5 : 3;
   for (const shape of SHAPES[kind] ?? []) {
     to.beginPath();
     for (let k = 0; k < shape.length; k += 2) {
@@ -205,7 +230,7 @@ function member(to, kind, a, b, towards) {
     to.stroke();
   }
   if (kind in SHAPES) return;
-  to.setLineDash(kind === "tendon" ? [7, 3] : []);
+  to.setLineDash(kind === "tendon" || kind === "slack" ? [7, 3] : []);
   to.beginPath();
   to.moveTo(...a);
   if (kind === "cantilever") to.quadraticCurveTo(...towards, ...b);

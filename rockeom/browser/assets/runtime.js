@@ -95,6 +95,7 @@ class Runner {
     this.readings = program.floats([5]); // of questions
     this.y = program.floats([n]);
     this.places = program.floats([3 * of.positions.length]);
+    this.forces = program.floats([4 * of.elements.length]); // deformation, force, energy, loss
     this.corners = program.floats([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
     this.energies = program.floats([5, SAMPLES]); // kinetic, gravitational, elastic; put in, lost
     this.angles = program.floats([2]);
@@ -111,6 +112,8 @@ class Runner {
     const history = { states, modes, p, ground, spacing, out: this.energies };
     this.accounted = program.bind("energy_history", history);
     this.placed = program.bind("places", { mode: 0, y: this.y, p, out: this.places });
+    /** The forces of elements; of ties and pushes alone. */
+    if (of.entries.forces) this.pulled = program.bind("forces", { mode: 0, y: this.y, p, out: this.forces });
     this.shaped = program.bind("corners", { p, out: this.corners });
   }
 
@@ -150,6 +153,14 @@ class Runner {
     this.y.set(this.states.subarray(i * n, (i + 1) * n));
     this.placed.set("mode", this.modes[i]);
     this.placed();
+    this.pulled?.set("mode", this.modes[i]);
+    this.pulled?.();
     return this.places;
+  }
+
+  /** The force of an element, NaN once it has broken; undefined of others. @param {string} name */
+  force(name) {
+    const broken = this.y[this.of.states.indexOf(`${name}_broken`)] > 0;
+    return broken ? NaN : this.forces[4 * this.of.elements.indexOf(name) + 1];
   }
 }

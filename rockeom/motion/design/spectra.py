@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.design import matching
+from rockeom.motion.design import matching, nzs_1170_5
 from rockeom.motion.design.checks import BAND, DAMPING, SpectrumCheck
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.motion_set import MotionSet
@@ -17,7 +17,14 @@ from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import InputError, array_of, positive_number, require, whole_number
+from rockeom.numbers.checks import (
+    InputError,
+    array_of,
+    number,
+    positive_number,
+    require,
+    whole_number,
+)
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
 """With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
@@ -53,8 +60,8 @@ _CHECKED = 100
 
 
 @explained.attributes(
-    eurocode8="eurocode_8", ec8="eurocode_8", asce7="asce_7", match="matched(record)",
-    acceleration="spectrum(periods)",
+    eurocode8="eurocode_8", ec8="eurocode_8", asce7="asce_7", nzs1170="nzs_1170_5",
+    match="matched(record)", acceleration="spectrum(periods)",
 )  # fmt: skip
 @explained.calls(soil="ground_type=", pga="ground_acceleration=")
 @dataclass(frozen=True)
@@ -62,7 +69,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
     """Elastic design spectrum: pseudo-acceleration over the period.
 
     A call with periods [s] returns pseudo-accelerations [m/s2]. The class methods make spectra:
-    `eurocode_8`, `asce_7`, `from_table`.
+    `eurocode_8`, `asce_7`, `nzs_1170_5`, `from_table`.
 
     Parameters
     ----------
@@ -181,6 +188,62 @@ class DesignSpectrum(metaclass=explained.Constructors):
         require(last > t_s, "", "t_l", last, f"give T_L, above s_d1/s_ds = {t_s:.4g} s")
         name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
         shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
+        return cls(name, 0.05, 0.0, math.inf, shape)
+
+    @classmethod
+    def nzs_1170_5(
+        cls,
+        hazard_factor: float,
+        return_factor: float,
+        site_class: str,
+        *,
+        fault_distance: float = math.inf,
+    ) -> Self:
+        """Horizontal elastic spectrum of NZS 1170.5:2004 for modal analysis and 5 % damping.
+
+        Parameters
+        ----------
+        hazard_factor : float
+            Hazard factor Z.
+        return_factor : float
+            Return period factor R.
+        site_class : str
+            Site subsoil class "A", "B", "C", "D" or "E".
+        fault_distance : float, optional
+            Distance D from the nearest major fault [m].
+
+        Returns
+        -------
+        DesignSpectrum
+            Spectrum ``C(T) g = Ch(T) Z R N(T, D) g``. Z R counts as 0.7 where it is more, as its
+            name then says.
+
+        Raises
+        ------
+        InputError
+            For factors that are not positive, a negative distance, and another class.
+
+        Notes
+        -----
+        N is 1 for R up to 0.75; else it grows with the period from 1 at 1.5 s to 1.72 at 5 s, full
+        up to 2 km and linear to 1 at 20 km. The text of the standard was not at hand: all values
+        are second-hand, the shape factors as the commentary has them.
+
+        References
+        ----------
+        NZS 1170.5:2004, 3.1, second-hand.
+        """
+        z = positive_number("hazard_factor", hazard_factor)
+        r = positive_number("return_factor", return_factor)
+        distance = number("fault_distance", fault_distance)
+        require(distance >= 0.0, "", "fault_distance", distance, "give zero or more, in metres")
+        kinds = nzs_1170_5.SITE_CLASSES
+        if not isinstance(site_class, str) or site_class.upper() not in kinds:
+            raise InputError("site_class", site_class).choose(kinds)
+        shape = nzs_1170_5.coefficient(site_class.upper(), z, r, distance)
+        limit = " (limit)" if shape.hazard < z * r else ""
+        near = f", fault at {distance / 1e3:g} km" if shape.near else ""
+        name = f"NZS 1170.5, class {site_class.upper()}, Z R {shape.hazard:.4g}{limit}{near}"
         return cls(name, 0.05, 0.0, math.inf, shape)
 
     @classmethod

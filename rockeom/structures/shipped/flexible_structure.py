@@ -6,10 +6,10 @@ from typing import Any, Self
 from rockeom.numbers.checks import InputError
 from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.declarations import flexible_structure as declared
-from rockeom.structures.supports import SupportedStructure
+from rockeom.structures.supports import HeldStructure
 
 
-class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
+class FlexibleStructure(HeldStructure, declared.FlexibleStructure):
     @classmethod
     def from_period(
         cls, period: float, damping_ratio: float, *, mass: float, **others: Any

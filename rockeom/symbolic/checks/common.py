@@ -10,6 +10,7 @@ _OUTPUTS = """
 t mode kinetic_energy gravitational_energy elastic_energy total_energy
 ground_acceleration vertical_ground_acceleration
 horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
+damping_loss friction_loss impact_loss ground_work force_work
 """
 RESPONSE = frozenset(_OUTPUTS.split())
 """Names in a response besides those of the states."""

@@ -18,7 +18,7 @@ from rockeom.symbolic.checks.common import (
     springs_outputs,
 )
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
-from rockeom.symbolic.elements import Spring, Unilateral, Yielding
+from rockeom.symbolic.elements import Damper, Pulse, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.model import Body, Coordinate, InternalVariable
 
 
@@ -27,7 +27,7 @@ def check_items(of: ContactDeclaration) -> None:
     with naming(of.name):
         _are(of, "bodies", Body)
         _are(of, "contacts", Contact)
-        _are(of, "elements", Spring, Unilateral, Yielding)
+        _are(of, "elements", Spring, Damper, Pulse, Tie, Unilateral, Yielding)
         _are(of, "forces", Force)
         _rates(of)
 
@@ -174,8 +174,9 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
         yield f"displacement{where}", element.displacement, "q"
         for constant, e in element.constants.items():
             yield f"{constant}{where}", e, ""
-        for axis, e in zip("xy", getattr(element, "place", None) or (), strict=False):
-            yield f"{axis} of the place{where}", e, "q"
+        for of_point in ("place", "end"):
+            for axis, e in zip("xy", getattr(element, of_point, None) or (), strict=False):
+                yield f"{axis} of the {of_point}{where}", e, "q"
         yield f"initial force{where}", getattr(element, "initial_force", sp.S.Zero), ""
     for f in of.forces:
         for value, displacement in f.components:

@@ -209,7 +209,7 @@ def _content(
 _COMPILED = frozenset({*MATH, "Abs", "Heaviside", "Max", "Min"})
 """Functions of an expression that a program has."""
 _NEXT_TO = sp.Rational(1, 10**9)  # exact, since cosines are rounded to 1 there
-_REMEDY = "write it with Max or tanh, or declare an element: Spring, Unilateral or Yielding"
+_REMEDY = "write it with Max or tanh, or declare an element: Spring, Tie, Unilateral or Yielding"
 
 
 def _has_functions(model: HybridModel, item: str, expr: sp.Expr, compiled: Collection[str]) -> None:

@@ -1,6 +1,6 @@
 """Supports of a base: its motions, and the forces on it."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from inspect import signature
 from typing import Any
@@ -16,6 +16,7 @@ from rockeom.symbolic.elements import Spring, Unilateral
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Foot, Parameter, coordinate, parameter, turned
+from rockeom.symbolic.parts.restraints import attachments
 from rockeom.symbolic.parts.superstructures import (
     GRAVITY,
     HALF_WIDTH,
@@ -117,14 +118,20 @@ def winkler(of: Superstructure, springs: int) -> Model:
     )  # fmt: skip
 
 
-def sliding(of: Superstructure, law: str = "newton") -> Model:
-    """A model on feet that open, stick, slip and bounce on rigid ground. law : as of `Rigid`."""
+def sliding(
+    of: Superstructure, law: str = "newton", attached: Sequence[tuple[str, str, bool, str]] = ()
+) -> Model:
+    """A model on feet that open, stick, slip and bounce on rigid ground.
+
+    law : as of `Rigid`. attached : kinds of its ties and pushes.
+    """
     place = moved((X.position, Y.position))
+    ties = attachments(attached, place, lambda point: point)
     bodies = of.about_the_middle(place, ROTATION.position)
     return Model(
         name=f"sliding_{of.name}",
         title=f"{of.title} on feet that slide",
-        parameters=(*of.parameters, FRICTION, RESTITUTION),
+        parameters=(*of.parameters, FRICTION, RESTITUTION, *ties.parameters),
         coordinates=(X, Y, FREE_ROTATION, *of.coordinates),
         bodies=bodies,
         gravity=GRAVITY.symbol,
@@ -134,7 +141,7 @@ def sliding(of: Superstructure, law: str = "newton") -> Model:
             slip=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[0],
             law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol, law=law),
         ),
-        elements=of.elements,
+        elements=of.elements + ties.elements,
         elastic_energy=of.elastic_energy,
         dissipation=of.dissipation,
         load_point=bodies[0].position,

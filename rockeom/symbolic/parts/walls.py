@@ -5,7 +5,7 @@ import sympy as sp
 from rockeom.symbolic import valid
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import dead_load
-from rockeom.symbolic.elements import Yielding
+from rockeom.symbolic.elements import Tie
 from rockeom.symbolic.model import Body, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY, HALF_WIDTH, HEIGHT, INERTIA, MASS, Point
 from rockeom.symbolic.parts.supports import FOUNDATION_STIFFNESS, FREE_ROTATION
@@ -34,7 +34,7 @@ def compression(x: sp.Expr) -> sp.Expr:
 def wall_on_bed(springs: int, following: bool = True) -> Model:
     """A wall on equal springs, each in the middle of one of as many equal strips of its base.
 
-    They press and do not pull, and crush at their strength, which they keep: `Yielding` under
+    They press and do not pull, and crush at their strength, which they keep: `Tie` under
     compression, slack in tension. following : whether the axial force turns with the wall, or
     stays vertical.
 
@@ -65,10 +65,7 @@ def wall_on_bed(springs: int, following: bool = True) -> Model:
         gravity=GRAVITY.symbol,
         rotation=FREE_ROTATION,
         elements=tuple(
-            Yielding(
-                f"spring_{i}", compression(x), FOUNDATION_STIFFNESS.symbol, STRENGTH.symbol,
-                slack=True,
-            )
+            Tie(f"spring_{i}", compression(x), FOUNDATION_STIFFNESS.symbol, STRENGTH.symbol)
             for i, x in enumerate(middles, 1)
         ),
         forces=(

@@ -19,7 +19,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.elements import Ending, Spring, Yielding, switch_of
+from rockeom.symbolic.elements import Ending, Spring, Tie, switch_of
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode, Switch, Transition
 from rockeom.symbolic.model import (
@@ -83,7 +83,7 @@ NEAR = 6
 SIDES = {"left": -1, "right": 1}
 
 WORDS = {0: "", -1: "_slack", 1: "_yield"}
-"""Ends of names of modes, by the states of a `Yielding` tendon."""
+"""Ends of names of modes, by the states of a tendon, a `Tie`."""
 
 
 # --- the rotation centre
@@ -125,7 +125,7 @@ AT_THE_EDGE = RotationCentre(lambda D: HALF_WIDTH.symbol)
 class Tendon:
     """Symbols of one tendon; with several they are numbered from 1.
 
-    Its states are those of the element `Yielding`, but that the permanent extension rests while it
+    Its states are those of the element `Tie`, but that the permanent extension rests while it
     yields, and is put to its value where that ends: meanwhile its force is the yield force.
     """
 
@@ -146,11 +146,11 @@ class Tendon:
         return self.stiffness, self.initial_force, self.yield_force, self.eccentricity
 
     @property
-    def element(self) -> Yielding:
+    def element(self) -> Tie:
         """It, but that its permanent extension flows while it yields."""
-        return Yielding(
+        return Tie(
             self.name, self.extension, self.stiffness.symbol, self.yield_force.symbol,
-            slack=True, initial_force=self.initial_force.symbol,
+            pretension=self.initial_force.symbol,
         )  # fmt: skip
 
     @property

@@ -15,6 +15,10 @@ def flexible_structure(support: str = "pinned", **details: Any) -> Any:
     ----------
     support : Support, optional
         Support of the base; rk.Pinned() on rigid ground if not given.
+    restraint : sequence of Strap or Anchor, optional
+        Restraints of the base, on feet of `Sliding`; the point of a strap moves with the base.
+    loads : sequence of Push, optional
+        Forces of time on the base, on feet of `Sliding`.
 
     Examples
     --------

@@ -45,21 +45,8 @@ def spectrum(run: str) -> dynamics.ResponseSpectrum:
     return analysis.response_spectrum(shaken.intended_motion(run), np.geomspace(0.03, 3.0, 120))
 
 
-def nzs_1170_5(period: np.ndarray, hazard: float = 0.7) -> np.ndarray:
-    """Elastic spectrum of NZS 1170.5 (2004) on very soft soil (class E) [m/s2].
-
-    period (n,) [s]. hazard: Z R, at most 0.7. The shape factor is that of its commentary; far from
-    a fault.
-    """
-    # second-hand, as the standard is not at hand: its branches and the limit of Z R are those of
-    # github.com/Agent6-6-6/NZS1170.5-Seismic-Coefficient-functions
-    t = np.asarray(period)
-    shape = np.select(
-        [t < 0.1, t < 1.0, t < 1.5, t < 3.0],
-        [1.12 + 18.8 * t, 3.0, 3.0 / t**0.75, 3.32 / t],
-        9.96 / t**2,
-    )
-    return np.asarray(shaken.G * hazard * shape)
+nzs_1170_5 = rk.DesignSpectrum.nzs_1170_5(0.7, 1.0, "E")
+"""Elastic spectrum on very soft soil far from a fault, Z R at its limit [m/s2]."""
 
 
 def draw_spectrum(ax: Axes, run: str, label: str, factor: float = 1.0, **look: object) -> None:

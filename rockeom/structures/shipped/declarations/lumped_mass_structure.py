@@ -34,6 +34,10 @@ class LumpedMassStructure(StructureWithFields):
         Acceleration of gravity [m/s2].
     support : Support, optional
         Support of the base; rk.Pinned() on rigid ground if not given.
+    restraint : sequence of Strap or Anchor, optional
+        Restraints of the base, on feet of `Sliding`; the point of a strap moves with the base.
+    loads : sequence of Push, optional
+        Forces of time on the base, on feet of `Sliding`.
     """
 
     model: ClassVar[str] = "lumped_mass_structure"

@@ -1,0 +1,134 @@
+"""Ground that slopes: accelerations along and normal to it, with the part that weight has in them.
+
+In axes along a slope phi and normal to it weight acts as g sin(phi) downhill and g cos(phi) into
+the ground. For a structure, whose equations have the weight g along the normal, that is ground with
+the further accelerations -g sin(phi) along the slope and g (cos(phi) - 1) along the normal, for all
+times: before, during and after the shaking.
+"""
+
+import math
+import re
+from typing import Any
+
+import numpy as np
+
+from rockeom.codes import WITH_CONSTANT
+from rockeom.motion import segments as pieces
+from rockeom.motion.segments import C0, C1, C3, END, KIND, LINEAR, START
+from rockeom.numbers.checks import InputError, number
+from rockeom.numbers.degrees import RADIANS
+from rockeom.numbers.dual import value_of
+from rockeom.numbers.functions import mathematics
+
+AXES = SLOPE, WORLD = "slope", "world"
+"""Axes of the ground motions: along and normal to the slope, or level and upright."""
+
+_NUMBER = r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*"
+_TEXT = re.compile(rf"{_NUMBER}(?:(deg|degrees?|rad)\s*|in{_NUMBER})")
+
+
+def slope_angle(slope: Any) -> Any:
+    """A slope [rad]: a number, or a text such as "5 deg" or "1 in 20", the rise in a run.
+
+    Raises InputError for another text, and for an angle that is not between -90 and 90 degrees.
+    """
+    remedy = (
+        'radians between -1.57 and 1.57, "5 deg" or "1 in 20", positive where it falls to the right'
+    )
+    angle = slope
+    if isinstance(slope, str):
+        match = _TEXT.fullmatch(slope)
+        size, unit, run = match.groups() if match else ("nan", "rad", None)
+        angle = float(size) * (1.0 if unit == "rad" else RADIANS)
+        if run:
+            angle = math.atan2(float(size), float(run))
+    angle = number("slope", angle)
+    if not abs(value_of(angle)) < 0.5 * math.pi:
+        raise InputError("slope", slope).give(remedy)
+    return angle
+
+
+def weight_on(slope: Any, gravity: Any) -> tuple[Any, Any]:
+    """(along, normal) accelerations of the ground that do to a structure what the slope does."""
+    half = mathematics.sin(0.5 * slope)
+    return -gravity * mathematics.sin(slope), -2.0 * gravity * half * half
+
+
+def turned(slope: Any, across: Any, up: Any) -> tuple[Any, Any]:
+    """(along, normal) of a level and an upright acceleration."""
+    cos, sin = mathematics.cos(slope), mathematics.sin(slope)
+    return across * cos - up * sin, across * sin + up * cos
+
+
+def tables_on(
+    slope: Any, axes: str, gravity: Any, horizontal: np.ndarray, vertical: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Tables (m, 7) along the slope and normal to it, the part of weight included, without end.
+
+    Raises InputError for motions whose sum no row can hold.
+    """
+    if (np.append(horizontal[:, KIND], vertical[:, KIND]) == pieces.MAVROEIDIS_PAPAGEORGIOU).any():
+        raise InputError("slope").says(
+            "a Mavroeidis-Papageorgiou pulse is not known on a slope: give its samples, "
+            "motion.resampled(dt), with a time step of a hundredth of its period"
+        )
+    along, normal = weight_on(slope, gravity)
+    across, up = _endless(horizontal), _endless(vertical)
+    if axes == SLOPE:
+        parts = (across, along), (up, normal)
+        first, second = (
+            _plus(table, np.full(len(table), x, np.result_type(float, type(x))))
+            for table, x in parts
+        )
+        return first, second
+    cos, sin = mathematics.cos(slope), mathematics.sin(slope)
+    return _sum(across, cos, up, -sin, along), _sum(up, cos, across, sin, normal)
+
+
+def _endless(table: np.ndarray) -> np.ndarray:
+    """The table with quiet ground behind it."""
+    quiet = np.zeros((1, pieces.COLUMNS), table.dtype)
+    quiet[0, START], quiet[0, END] = table[-1, END] if len(table) else 0.0, np.inf
+    return np.concatenate([table, quiet])
+
+
+def _plus(table: np.ndarray, constants: np.ndarray) -> np.ndarray:
+    """The table with constants (m,) added to its accelerations."""
+    rows = table.astype(np.result_type(table, constants))
+    curved = table[:, KIND] != LINEAR
+    rows[~curved, C0] += constants[~curved]
+    rows[curved, C3] = constants[curved]
+    rows[curved, KIND] += WITH_CONSTANT
+    return rows
+
+
+def _sum(
+    first: np.ndarray, by_first: Any, second: np.ndarray, by_second: Any, constant: Any
+) -> np.ndarray:
+    """The table of by_first times the first, by_second times the second, and a constant."""
+    ends = np.concatenate([first[:, END], second[:, END]])
+    ends = ends[np.unique(value_of(ends).real, return_index=True)[1]]
+    a, b = (_parted(table, ends) for table in (first, second))
+    curved_a, curved_b = (rows[:, KIND] != LINEAR for rows in (a, b))
+    if ((curved_a & (b[:, C1] != 0.0)) | (curved_b & (a[:, C1] != 0.0))).any():
+        raise InputError("ground_axes", WORLD).says(
+            "the horizontal and the vertical motion act along the slope together, and one of them "
+            "is a formula: give its samples, motion.resampled(dt), or ground_axes='slope'"
+        )
+    shape, other = np.where(curved_b[:, None], (b, a), (a, b))
+    by_shape = np.where(curved_b, by_second, by_first)
+    by_other = np.where(curved_b, by_first, by_second)
+    rows = shape.astype(np.result_type(shape, by_shape))
+    linear = ~(curved_a | curved_b)
+    rows[:, C0] = shape[:, C0] * by_shape
+    rows[linear, C1] = (shape[:, C1] * by_shape + other[:, C1] * by_other)[linear]
+    return _plus(rows, other[:, C0] * by_other + constant)
+
+
+def _parted(table: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """The table with a row for each of the parts that have these ends (k,)."""
+    starts = np.append(0.0, ends[:-1])
+    index = np.searchsorted(value_of(table[:, END]).real, value_of(starts).real, side="right")
+    rows = pieces.begun_later(table[index], starts - table[index, START])
+    rows[:, START], rows[:, END] = starts, ends
+    return rows
