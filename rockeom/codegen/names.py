@@ -19,10 +19,10 @@ sizes statics velocity_ratio inlined everywhere overturns_at
 
 free_motion points point_laws point_numbers
 
-mode s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
+mode s y p ax ay az dy g i number out law ratio guard load found value parameters total_gravity
 matrix forces pattern equations
 
-CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE FULL_CONTACT
+CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GROUND GUARDS HAS_IMPULSIVE FULL_CONTACT
 IMPACT_LAW IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES
 LOCALISED
 PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS

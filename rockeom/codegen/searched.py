@@ -36,7 +36,7 @@ from rockeom.symbolic.contacts import Contact, ContactDeclaration
 from rockeom.symbolic.elements import Ending, Tie
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_Y, Body, InternalVariable
+from rockeom.symbolic.model import Body, InternalVariable
 from rockeom.symbolic.modes.balance import force_of, free_motion
 from rockeom.symbolic.modes.derived import VERBS, DerivedMode
 from rockeom.symbolic.modes.every import Modes, Pattern
@@ -62,7 +62,7 @@ class Written:
         """The call of a function of a mode."""
         side = ["s"] if mode.sided else []
         sigmas = [f"sigma_{i}" for i in range(len(mode.slipping))]
-        arguments = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
+        arguments = [*side, *sigmas, *self.text.switches, *self.text.states, "p", self.text.shaking]
         return f"{function}({', '.join(arguments)})"
 
     def read(self, mode: DerivedMode, indent: str) -> list[str]:
@@ -103,7 +103,7 @@ def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]
     _motions(written)
     _forces(written)
     _guards(written)
-    if search.of.switching:
+    if search.of.switching or not search.of.contacts:
         _jump(written)
     _free_motion(written)
     _points(written)
@@ -132,7 +132,7 @@ def _suffix(mode: DerivedMode) -> str:
     """End of the names of the functions of a mode."""
     points = zip(mode.model.contacts, mode.states, strict=True)
     words = [f"{c.name}_{VERBS[state]}" for c, state in points if state]
-    return "_".join(words) or "flight"
+    return "_".join(words) or mode.model.open_mode
 
 
 def _words(mode: DerivedMode) -> str:
@@ -152,24 +152,24 @@ def _motions(written: Written) -> None:
         branches.append([*written.read(mode, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
-        f"rates_of_states(mode, {states}, p, ax, ay)",
+        f"rates_of_states(mode, {states}, p, {text.shaking})",
         "Rates of all states, in their order.",
         _chosen("equations", "EQUATIONS", branches),
         "@inlined",
     )
     items = ", ".join(f"found[{n + i}]" for i in range(n))
     text.function(
-        f"accelerations(mode, {states}, p, ax, ay)",
-        "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
+        f"accelerations(mode, {states}, p, {text.shaking})",
+        f"Accelerations of the coordinates under ground accelerations {text.shaking} [m/s2].",
         [
-            f"    found = rates_of_states(mode, {states}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {states}, p, {text.shaking})",
             f"    return ({items},)",
         ],
         "@inlined",
     )
     for i, _ in quick(written.modes):
         text.function(
-            f"accelerations_{i}(mode, {states}, p, ax, ay)",
+            f"accelerations_{i}(mode, {states}, p, {text.shaking})",
             f"The same where {_words(derived[i])}.",
             [
                 *written.read(derived[i], "    "),
@@ -180,15 +180,15 @@ def _motions(written: Written) -> None:
         )
     of_states = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
-        "rates(mode, y, p, ax, ay, dy)",
-        "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
+        f"rates(mode, y, p, {text.shaking}, dy)",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], into dy (N,).",
         [
-            f"    found = rates_of_states(mode, {of_states}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {of_states}, p, {text.shaking})",
             *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
         ],
     )
     text.function(
-        "opening_acceleration(mode, y, p, ax, ay)",
+        f"opening_acceleration(mode, y, p, {text.shaking})",
         "Zero: whether a gap opens is found among the candidates.",
         ["    return 0.0"],
         "@inlined",
@@ -232,7 +232,7 @@ def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
     of_motion, solved = solve(
         text, mode.mass_matrix, mode.forcing, out, "    ", gravity
     )  # fmt: skip
-    first = {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    first = {TOTAL_GRAVITY.name: gravity + text.model.shaking[-1]}
     body = text.evaluate("rates", of_motion | entries, "    ", first, hoist=True, states=False)
     call = written.call(name, mode)
     text.function(
@@ -339,7 +339,7 @@ def _guards(written: Written) -> None:
     text, patterns = written.text, written.modes.patterns
     branches = [_guards_of(written, pattern) for pattern in patterns]
     text.function(
-        "guards(mode, y, p, ax, ay, g)",
+        f"guards(mode, y, p, {text.shaking}, g)",
         """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
@@ -478,7 +478,7 @@ def _free_motion(written: Written) -> None:
     targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
     targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
     text.function(
-        "free_motion(y, p, ax, ay, mode, matrix, forces)",
+        f"free_motion(y, p, {text.shaking}, mode, matrix, forces)",
         "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
         written.text.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
     )
@@ -553,29 +553,30 @@ def _reactions(written: Written) -> Columns:
     text, of = written.text, written.of
     patterns = written.modes.patterns
     points, elements = of.contacts, of.switching
-    columns = ["horizontal_reaction"]
+    totals = total_reaction(of.free)
+    totals = totals if len(totals) > 2 else totals[:1]  # in the plane the points have the vertical
+    columns = [f"{way}_reaction" for way in ("horizontal", "transverse", "vertical")[: len(totals)]]
     columns += [f"{c.name}_reaction" for c in points]
     columns += [f"{e.name}_{e.outputs[0]}" for e in elements]
     columns += [f"{c.name}_friction" for c in points]
     states = ", ".join(f"y[{i}]" for i in range(2 * text.n))
-    total = total_reaction(of.free)[0]
-    body = [f"    found = accelerations(mode, {states}, p, ax, ay)"]
+    body = [f"    found = accelerations(mode, {states}, p, {text.shaking})"]
     body += [
         f"    {text.name(c.acceleration)} = found[{i}]"
         for i, c in enumerate(of.coordinates)
-        if c.acceleration in total.free_symbols
+        if any(c.acceleration in total.free_symbols for total in totals)
     ]
-    presses = {f"out[{1 + len(points) + i}]": force_of(of, i) for i in range(len(elements))}
+    presses = {f"out[{len(totals) + len(points) + i}]": force_of(of, i) for i in range(len(elements))}
     body += written.text.read_switches("    ")
-    body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
+    body += text.evaluate("reactions", {f"out[{i}]": e for i, e in enumerate(totals)} | presses, "    ")
     if points:
-        behind = 1 + len(points) + len(elements)
+        behind = len(totals) + len(points) + len(elements)
         branches = [
             [*written.found_forces(a, " " * 8), *_shares(written, a, behind)] for a in patterns
         ]
         body += _chosen("pattern", "PATTERNS", branches)
     text.function(
-        "reactions(mode, y, p, ax, ay, out)",
+        f"reactions(mode, y, p, {text.shaking}, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.""",

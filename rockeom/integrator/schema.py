@@ -99,6 +99,25 @@ class SearchedModes(GeneratedModule, Protocol):
     ) -> None: ...
 
 
+PLANE, SPACE = ("horizontal", "vertical"), ("horizontal", "transverse", "vertical")
+"""Components of the ground in the order of a module's arguments. A planar module names none."""
+
+
+def components(module: Any) -> tuple[str, ...]:
+    """The components of the ground that a structure's functions take."""
+    return getattr(module, "GROUND", PLANE)
+
+
+def still(module: Any) -> tuple[float, ...]:
+    """Accelerations of ground that stands still, as a structure's functions take them."""
+    return (0.0,) * len(components(module))
+
+
+def in_space(module: Any) -> bool:
+    """Whether a structure moves in space, and not in a plane."""
+    return components(module) == SPACE
+
+
 def has_points(module: Any) -> TypeGuard[SearchedModes]:
     """Whether a structure's modes are searched for among those of its points and elements."""
     return hasattr(module, "POINT_STATES")

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles
+from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -558,7 +558,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
 def _guards(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """Guards of a mode where the ground does not accelerate."""
     values = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values)
+    for_arrays(module, y, p).guards(mode, y, p, *still(module), values)
     return values
 
 

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
+from rockeom.integrator.schema import components
+
 
 def is_dimensionless(module: Any) -> bool:
     """Whether a structure's states, time and accelerations are pure numbers."""
@@ -14,8 +16,14 @@ def main_units(module: Any) -> dict[str, str]:
     units = dict(zip(module.STATES, module.STATE_UNITS, strict=True))
     units |= dict.fromkeys((*module.ENERGIES, "total_energy"), "J")
     units |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
-    units |= dict.fromkeys(("ground_acceleration", "vertical_ground_acceleration"), "m/s2")
+    units |= dict.fromkeys(ground_accelerations(module), "m/s2")
     return dimensioned(module, units)
+
+
+def ground_accelerations(module: Any) -> tuple[str, ...]:
+    """Names of the accelerations of the ground, in the order of a module's arguments."""
+    _, *others = components(module)
+    return ("ground_acceleration", *(f"{axis}_ground_acceleration" for axis in others))
 
 
 def dimensioned(module: Any, units: Mapping[str, str]) -> dict[str, str]:

@@ -79,7 +79,7 @@ class NumpyMode:
         q = [c.position for c in self._model.coordinates]
         qd = [c.velocity for c in self._model.coordinates]
         given = [p.symbol for p in self._model.parameters]
-        return [*given, *self._model.constants, *q, *qd, GROUND_X, GROUND_Y]
+        return [*given, *self._model.constants, *q, *qd, *self._model.shaking]
 
     def _function(self, expressions: Iterable[sp.Expr], *more: sp.Symbol) -> Function:
         exact = (self._model.in_mode(e, self.name) for e in expressions)
@@ -120,7 +120,7 @@ class NumpyMode:
             {
                 f"{name}.{i}": mode.approximated(place[i])
                 for name, place in places.items()
-                for i in (0, 1)
+                for i in range(len(place))
             }
         )
 

@@ -83,8 +83,16 @@ def check_contacts(of: ContactDeclaration) -> None:
         raise ModelError(f"the rotation {of.rotation.name!r} is not in `coordinates`")
     if not of.bodies:
         raise ModelError("it has no bodies: declare the masses")
-    if not of.contacts and not of.switching:
+    axes = {len(b.position) for b in of.bodies}
+    if len(axes) > 1:
+        raise ModelError("some of its bodies have places (x, y), others (x, y, z): give all three")
+    if not of.contacts and not of.switching and axes == {2}:
         raise ModelError("nothing touches: declare `contacts`, or `elements` that press")
+    if of.contacts and axes == {3}:
+        raise ModelError(
+            "its bodies move in space, and its contacts in the plane: leave `contacts` out, and let "
+            "the coordinates hold the bodies on the ground, as those of `space.wobble`"
+        )
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
             raise ModelError(

@@ -1,0 +1,132 @@
+"""Round columns that roll on their rims without twist, and a slab on four of them."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import rockeom as rk
+from rockeom.symbolic import Body, Model, coordinate, parameter, space
+from tests.space.cases import GRAVITY, Case, of_group
+
+TIGHT = rk.SolverOptions(rtol=1e-13, atol=1e-15)
+MASS, RADIUS, HEIGHT, SLAB, G = (
+    parameter(symbol, name, unit, words)
+    for symbol, name, unit, words in (
+        ("m", "mass", "kg", "mass of a column"),
+        ("b", "radius", "m", "radius of a column"),
+        ("H", "half_height", "m", "half of the height of a column"),
+        ("M", "slab_mass", "kg", "mass of the slab"),
+        ("g", "gravity", "m/s2", "gravity"),
+    )
+)
+TILT = coordinate("theta", "tilt", "rad", "tilt of the axis")
+DIRECTION = coordinate("psi", "direction", "rad", "azimuth of the point of contact")
+CENTROID = (0, 0, HEIGHT.symbol)
+
+
+def rolling() -> space.Frame:
+    return space.wobble(TILT.position, DIRECTION.position, RADIUS.symbol)
+
+
+def model(name: str, bodies: list[Body], *more: rk.symbolic.Parameter) -> Model:
+    return Model(
+        name=name, title="Columns on their rims", parameters=(MASS, RADIUS, HEIGHT, *more, G),
+        coordinates=(TILT, DIRECTION), bodies=bodies, gravity=G.symbol, rotation=TILT,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def column():
+    body = space.cylinder(
+        "column", MASS.symbol, RADIUS.symbol, 2 * HEIGHT.symbol, rolling(), CENTROID
+    )
+    return model("wobbling_column", [body])
+
+
+@pytest.fixture(scope="module")
+def disc():
+    across = MASS.symbol * RADIUS.symbol**2 / 4
+    body = space.body("disc", MASS.symbol, sp.diag(across, across, 2 * across), rolling())
+    return model("wobbling_disc", [body])
+
+
+@pytest.fixture(scope="module")
+def podium():
+    """The slab lies on the rims opposite those on the ground: it moves by twice the centroids."""
+    frame, columns = rolling(), []
+    place = frame.at(CENTROID)
+    for i in range(4):
+        columns.append(
+            space.cylinder(
+                f"column_{i}", MASS.symbol, RADIUS.symbol, 2 * HEIGHT.symbol, frame, CENTROID
+            )
+        )
+    slab = Body("slab", SLAB.symbol, tuple(2 * x for x in place))
+    return model("podium", [*columns, slab], SLAB)
+
+
+def structure(of: Model, case: Case, **more: float):
+    half_height = max(case["H"], 1e-300)  # a disc has none
+    return rk.structure(
+        of, mass=case["m"], radius=case["b"], half_height=half_height, gravity=GRAVITY, **more
+    )
+
+
+@pytest.mark.parametrize("name", of_group("steady wobbling")[:-1])  # the last one rolls freely
+def test_steady_wobbling_has_the_precession_and_the_forces_of_its_closed_form(name, column, disc):
+    case = Case(name)
+    of = structure(disc if "disc" in name else column, case)
+    at, rate = {"tilt": float(case["tilt"]), "direction": 0.7}, case.right("precession_rate")
+    falling = of.accelerations(at)["tilt"]
+    state = at | {"direction_dot": rate}
+    assert abs(of.accelerations(state)["tilt"]) < case.tolerance * abs(falling)
+    along, across, up = of.reactions(state).values()
+    case.agrees(
+        contact_force_vertical=up, friction_needed=np.hypot(along, across) / up,
+        energy=sum(of.energies(state).values()),
+    )  # fmt: skip
+
+
+def test_nutation_turns_at_its_least_tilt_and_comes_back_after_its_period(column):
+    case = Case("restricted_nutation")
+    start = {"tilt": case["tilt"], "direction_dot": case["precession_rate"]}
+    motion, period = rk.GroundMotion.none(1.3), case.right("period")
+    run = rk.simulate(structure(column, case), motion, initial=start, options=TIGHT)
+    after = run.at(period)
+    case.agrees(
+        least_tilt=run.extremes_of("tilt").minimum, precession_in_a_period=after["direction"],
+        energy=run["total_energy"][-1],
+    )  # fmt: skip
+    assert after["tilt"] == pytest.approx(case["tilt"], rel=case.tolerance)
+    assert abs(after["tilt_dot"]) < 1e-10
+    assert run.energy_balance().error < 1e-12
+
+
+def test_free_wobbling_is_that_of_40_digits(column):
+    case = Case("restricted_free")
+    names = {
+        "tilt": "tilt", "direction": "contact_direction", "tilt_dot": "tilt_rate",
+        "direction_dot": "precession_rate",
+    }  # fmt: skip
+    start = {state: case[given] for state, given in names.items()}
+    of, motion = structure(column, case), rk.GroundMotion.none(case["t_end"])
+    run = rk.simulate(of, motion, initial=start, options=TIGHT)
+    end = run.final
+    case.agrees(
+        tilt=end["tilt"], contact_direction=end["direction"], energy=run["total_energy"][-1],
+        kinetic=run["kinetic_energy"][-1], potential=run["gravitational_energy"][-1],
+        centroid=of.positions(end)["column"], body_axis=of.rotations(end)["column"][:, 2],
+    )  # fmt: skip
+    spin = SPIN.subs({x: end[name] for x, name in STATES.items()})
+    case.agrees(omega=np.array(of.rotations(end)["column"] @ np.array(spin, float)[:, 0]))
+
+
+def test_podium_wobbles_steadily_with_its_closed_form(podium):
+    case = Case("podium_steady_0.15")
+    of = structure(podium, case, slab_mass=case["slab_mass"])
+    state = {"tilt": case["tilt"], "direction_dot": case.right("precession_rate")}
+    falling = of.accelerations({"tilt": case["tilt"]})["tilt"]
+    assert abs(of.accelerations(state)["tilt"]) < case.tolerance * abs(falling)
+    tilting = of.energies({"tilt": case["tilt"], "tilt_dot": 1.0})["kinetic_energy"]
+    turning = of.energies({"tilt": case["tilt"], "direction_dot": 1.0})["kinetic_energy"]
+    case.agrees(tilt_inertia=2 * tilting, precession_inertia=2 * turning)
