@@ -131,7 +131,8 @@ def _guards(text: Text) -> None:
         targets = {f"g[{i}]": e for i, e in expressions.items()}
         body += text.evaluate("guards", targets, " " * 8, hoist=True)
         body += [
-            f"        g[{i}] = -opening_acceleration({text.mode_constants[t.target]}, y, p, {text.shaking})"
+            f"        g[{i}] = -opening_acceleration("
+            f"{text.mode_constants[t.target]}, y, p, {text.shaking})"
             for i, t in enumerate(transitions)
             if t.kind == "uplift"
         ]
@@ -250,7 +251,11 @@ def _sums(text: Text, mode: str) -> list[sp.Expr]:
     A structure of one coordinate does not move on both feet.
     """
     leaving = _outgoing(text.model, mode)
-    if text.n < 2 or len(text.model.shaking) > 2 or any(t.kind != "uplift" or t.guard is not None for t in leaving):
+    if (
+        text.n < 2
+        or len(text.model.shaking) > 2
+        or any(t.kind != "uplift" or t.guard is not None for t in leaving)
+    ):
         return []
     terms = [_sum(text, t.target) for t in leaving]
     return [e for e in terms if e is not None] if None not in terms else []

@@ -18,7 +18,10 @@ Columns = tuple[str, ...]
 
 _AXES = {2: "Horizontal and vertical", 3: "First and second horizontal, and vertical"}
 _INERTIA = {2: "moment of inertia", 3: "inertia tensor, row by row,"}
-_PLACE = {2: "x, y [m] and clockwise rotation [rad]", 3: "x, y, z [m] and rotation matrix, by rows,"}
+_PLACE = {
+    2: "x, y [m] and clockwise rotation [rad]",
+    3: "x, y, z [m] and rotation matrix, by rows,",
+}
 """Words of a structure's axes, by their number."""
 
 
@@ -60,7 +63,10 @@ def outputs(text: Text) -> dict[str, Columns]:
         text,
         "masses(mode, y, p, out)",
         f"Mass and {_INERTIA[axes]} of each body, as in POSITIONS, and then gravity, into out.",
-        lambda mode: [*(e for b in mode.bodies for e in (b.mass, *_entries(b.inertia))), mode.gravity],
+        lambda mode: [
+            *(e for b in mode.bodies for e in (b.mass, *_entries(b.inertia))),
+            mode.gravity,
+        ],
     )
     _in_order(
         text,

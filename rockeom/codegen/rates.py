@@ -77,7 +77,8 @@ def _rates(text: Text) -> None:
 
     text.by_mode(
         f"rates(mode, y, p, {text.shaking}, dy)",
-        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], into dy (N,).",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
+        "into dy (N,).",
         branch,
         after=[
             found_accelerations(text, "    "),

@@ -181,7 +181,8 @@ def _motions(written: Written) -> None:
     of_states = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
         f"rates(mode, y, p, {text.shaking}, dy)",
-        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], into dy (N,).",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
+        "into dy (N,).",
         [
             f"    found = rates_of_states(mode, {of_states}, p, {text.shaking})",
             *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
@@ -566,9 +567,13 @@ def _reactions(written: Written) -> Columns:
         for i, c in enumerate(of.coordinates)
         if any(c.acceleration in total.free_symbols for total in totals)
     ]
-    presses = {f"out[{len(totals) + len(points) + i}]": force_of(of, i) for i in range(len(elements))}
+    presses = {
+        f"out[{len(totals) + len(points) + i}]": force_of(of, i) for i in range(len(elements))
+    }
     body += written.text.read_switches("    ")
-    body += text.evaluate("reactions", {f"out[{i}]": e for i, e in enumerate(totals)} | presses, "    ")
+    body += text.evaluate(
+        "reactions", {f"out[{i}]": e for i, e in enumerate(totals)} | presses, "    "
+    )
     if points:
         behind = len(totals) + len(points) + len(elements)
         branches = [

@@ -145,7 +145,7 @@ def eliminate(
 
 
 def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
-    """An expression as constants by the states and the horizontal shaking, or None where it is no such sum.
+    """An expression as constants by states and horizontal shaking, or None if it is no such sum.
 
     The processor then waits for one product and one sum after the last state is known.
     """

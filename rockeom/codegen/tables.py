@@ -34,7 +34,7 @@ def tables(
 
 
 def _axes(model: HybridModel) -> list[str]:
-    """Components of the ground, in the order of arguments; a planar structure needs no such table."""
+    """Components of the ground, in the order of arguments; a planar structure has no such table."""
     across = ("horizontal", "transverse", "vertical")
     return table("GROUND", across) if len(model.shaking) == len(across) else []
 

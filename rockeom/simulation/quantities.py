@@ -34,7 +34,7 @@ _OF_BASE = {"base_shear": "N", "overturning_moment": "N m"}
 
 
 def _of_place(module: GeneratedModule) -> list[tuple[str, str]]:
-    """(name, unit) of the quantities of a place: of displacement, velocity, acceleration all axes."""
+    """(name, unit) of the quantities of a place: all axes of one after those of another."""
     return [
         ("rise" if (axis, what) == ("vertical", "displacement") else f"{prefix}{what}", unit)
         for what, unit in _OF_PLACE.items()

@@ -723,8 +723,8 @@ class Structure(metaclass=explained.Constructors):
         -------
         dict of str to ndarray
             Places (..., 2) by name [m]: x to the right and y upwards, in space (..., 3), z
-            upwards, in axes that move with the ground, from the origin of the declaration: the middle between the feet at rest, for
-            shipped structures.
+            upwards, in axes that move with the ground, from the origin of the declaration: the
+            middle between the feet at rest, for shipped structures.
 
         Raises
         ------

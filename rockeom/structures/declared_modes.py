@@ -94,7 +94,7 @@ def mode_under_forces(
     mode: int,
     y: np.ndarray,
     p: np.ndarray,
-    ground: tuple[float, float],
+    ground: tuple[float, ...],
 ) -> int:
     """The mode itself: it follows from the state, whatever the forces are."""
     return mode

@@ -438,7 +438,7 @@ _ON_TIME = 1e-9
 
 
 def mode_under_forces(
-    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
+    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, ...]
 ) -> int:
     """The mode in which a state goes on, by the forces under a ground acceleration.
 

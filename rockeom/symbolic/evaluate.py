@@ -9,7 +9,6 @@ import sympy as sp
 from rockeom.numbers.checks import InputError
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
 
 Function = Callable[[Sequence], np.ndarray]

@@ -18,7 +18,7 @@ Point = tuple[sp.Expr, ...]
 Outline = tuple[Point, ...]
 
 GROUND_ACCELERATIONS = GROUND_X, GROUND_Y, _ = sp.symbols("a_x a_y a_z", real=True)
-"""Accelerations of the ground [m/s2] along the axes of a place, of which the last one is vertical."""
+"""Accelerations of the ground [m/s2] along the axes of a place, the last of which is vertical."""
 
 
 @explained.record()

@@ -1,8 +1,8 @@
 """Outputs of a state, by name: places, energies, kinematics, statics, powers, elements of a mode.
 
 They are functions of a model and one of its modes. Elements of a search act by their states, chi.
-Places are (x, y) in axes that move with the ground, x to the right and y upwards; in space (x, y, z),
-z upwards.
+Places are (x, y) in axes that move with the ground, x to the right and y upwards; in space (x, y,
+z), z upwards.
 """
 
 from collections.abc import Iterable

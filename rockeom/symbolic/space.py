@@ -1,7 +1,7 @@
 """Bodies in space: frames that turn, and what is fixed in them.
 
-Axes are x, the first horizontal one, y, the second one, and z upwards; azimuths are counter-clockwise
-seen from above.
+Axes are x, the first horizontal one, y, the second one, and z upwards; azimuths are
+counter-clockwise seen from above.
 
 A column on its rim, two coordinates:
 
@@ -10,7 +10,7 @@ A column on its rim, two coordinates:
     tilt = coordinate("theta", "tilt", "rad", "tilt of the axis")
     direction = coordinate("psi", "direction", "rad", "azimuth of the point of contact")
     at = space.wobble(tilt.position, direction.position, radius=b.symbol)
-    column = space.cylinder("column", m.symbol, b.symbol, 2 * H.symbol, at, centroid=(0, 0, H.symbol))
+    column = space.cylinder("column", m.symbol, b.symbol, 2 * H.symbol, at, (0, 0, H.symbol))
     Model(name="column", title="Column on its rim", parameters=(m, b, H, g),
           coordinates=(tilt, direction), bodies=[column], gravity=g.symbol, rotation=tilt)
 """
@@ -88,9 +88,7 @@ def about(axis: str, angle: sp.Expr) -> sp.ImmutableMatrix:
 
 
 @explained.calls()
-def frame(
-    yaw: sp.Expr, pitch: sp.Expr, roll: sp.Expr, origin: Point = _ORIGIN
-) -> Frame:
+def frame(yaw: sp.Expr, pitch: sp.Expr, roll: sp.Expr, origin: Point = _ORIGIN) -> Frame:
     """Frame by three angles, about x first, then about y, then about the vertical.
 
     Rz(yaw) Ry(pitch) Rx(roll) is regular for a structure that stands, whatever its yaw, and

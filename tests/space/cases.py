@@ -1,8 +1,8 @@
 """Cases of spatial rocking with numbers of 18 digits: `cases.json`.
 
-Newton-Euler in 40 digits (Gragg, Bulirsch and Stoer), compared with Lagrange's equations in two sets of
-coordinates to 8e-36. Axes are x, y horizontal and z up; places are relative to the ground; gravity is
-9.81 m/s2. Tolerances are relative to the largest number of a vector.
+Newton-Euler in 40 digits (Gragg, Bulirsch and Stoer), compared with Lagrange's equations in two
+sets of coordinates to 8e-36. Axes are x, y horizontal and z up; places are relative to the ground;
+gravity is 9.81 m/s2. Tolerances are relative to the largest number of a vector.
 """
 
 import json
@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 
 GRAVITY = 9.81
 CASES: dict[str, dict[str, Any]] = {

@@ -149,4 +149,4 @@ def test_a_tensor_of_no_masses_is_refused_by_its_values(moments):
     values = {p.name: value for p, value in zip(along, moments, strict=True)}
     with pytest.raises(ValueError, match="may be above the sum of the other two"):
         rk.structure(declared, mass=1.0, gravity=9.81, **values)
-    rk.structure(declared, mass=1.0, gravity=9.81, **values | {"inertia_z": moments[0]})
+    rk.structure(declared, mass=1.0, gravity=9.81, **values | {"inertia_z": moments[1]})

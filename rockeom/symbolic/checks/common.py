@@ -11,7 +11,8 @@ from rockeom.symbolic.model import Body
 _OUTPUTS = """
 t mode kinetic_energy gravitational_energy elastic_energy total_energy
 ground_acceleration transverse_ground_acceleration vertical_ground_acceleration
-horizontal_reaction transverse_reaction vertical_reaction left_reaction right_reaction displacement left_uplift right_uplift
+horizontal_reaction transverse_reaction vertical_reaction left_reaction right_reaction
+displacement left_uplift right_uplift
 damping_loss friction_loss impact_loss ground_work force_work
 """
 RESPONSE = frozenset(_OUTPUTS.split())

@@ -90,8 +90,8 @@ def check_contacts(of: ContactDeclaration) -> None:
         raise ModelError("nothing touches: declare `contacts`, or `elements` that press")
     if of.contacts and axes == {3}:
         raise ModelError(
-            "its bodies move in space, and its contacts in the plane: leave `contacts` out, and let "
-            "the coordinates hold the bodies on the ground, as those of `space.wobble`"
+            "its bodies move in space, and its contacts in the plane: leave `contacts` out, and "
+            "let the coordinates hold the bodies on the ground, as those of `space.wobble`"
         )
     for contact in of.contacts:
         if contact.law.law != of.impact_law:

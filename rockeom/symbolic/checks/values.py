@@ -17,9 +17,8 @@ from rockeom.symbolic.elements import Element
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 
-
 FLAT = sp.Rational(1, 10**12)
-"""A part of the second moments of a body: of a flat one rounding errors make one of them negative."""
+"""A part of the second moments of a body: rounding errors make that of a flat one negative."""
 
 
 def _extents(inertia: sp.ImmutableMatrix) -> Iterator[sp.Expr]:
@@ -75,7 +74,9 @@ def sizes(model: HybridModel) -> tuple[Size, ...]:
             for value in _extents(b.inertia):
                 remedy = "no masses have such a tensor: none of its principal moments may be above "
                 remedy += "the sum of the other two"
-                yield size(f"a principal minor of the second moments of mass {of}", value, True, remedy)
+                yield size(
+                    f"a principal minor of the second moments of mass {of}", value, True, remedy
+                )
         if mode.feet:
             left, right = (sp.sympify(mode.feet[f].position[0]) for f in ("left", "right"))
             width = model.in_mode((right - left).subs(upright), first_name(mode))
