@@ -158,7 +158,7 @@ class HybridModel:
     @property
     def shaking(self) -> tuple[sp.Symbol, ...]:
         """Accelerations of the ground, horizontal ones first: two in the plane, three in space."""
-        return model.shaking(self.bodies)
+        return model.shaking(self.bodies if self.modes else ())
 
     @property
     def bodies(self) -> tuple[model.Body, ...]:

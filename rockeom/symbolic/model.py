@@ -261,7 +261,7 @@ class Body:
 
 def shaking(bodies: Iterable[Body]) -> tuple[sp.Symbol, ...]:
     """The accelerations of the ground under some bodies: two in the plane, three in space."""
-    return GROUND_ACCELERATIONS[: len(next(iter(bodies)).position)]
+    return GROUND_ACCELERATIONS[: max((len(body.position) for body in bodies), default=2)]
 
 
 GROUND = "ground"
