@@ -78,7 +78,10 @@ def about(axis: str, angle: sp.Expr) -> sp.ImmutableMatrix:
     sympy.Matrix
         Matrix (3, 3).
     """
-    cos, sin = sp.cos(angle), sp.sin(angle)
+    return _turned(axis, sp.cos(angle), sp.sin(angle))
+
+
+def _turned(axis: str, cos: sp.Expr, sin: sp.Expr) -> sp.ImmutableMatrix:
     turned = {
         "x": [[1, 0, 0], [0, cos, -sin], [0, sin, cos]],
         "y": [[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]],
@@ -132,7 +135,11 @@ def wobble(tilt: sp.Expr, direction: sp.Expr, radius: sp.Expr) -> Frame:
     Frame
         Frame in the centre of the base; for no tilt it is that of the ground.
     """
-    rotation = about("z", direction) * about("y", tilt) * about("z", -direction)
+    # by half of the tilt: what carries the precession is of the order of its square, and 1 - cos of a
+    # small angle has no digits
+    cos, sin = sp.cos(tilt / 2), sp.sin(tilt / 2)
+    tilted = _turned("y", 1 - 2 * sin**2, 2 * sin * cos)
+    rotation = about("z", direction) * tilted * about("z", -direction)
     contact = radius * sp.Matrix([sp.cos(direction), sp.sin(direction), 0])
     return Frame(rotation, tuple(contact - rotation * contact))
 
