@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom.symbolic import Body, Model, coordinate, parameter, space
@@ -132,3 +133,22 @@ def test_podium_wobbles_steadily_with_its_closed_form(podium):
     tilting = of.energies({"tilt": case["tilt"], "tilt_dot": 1.0})["kinetic_energy"]
     turning = of.energies({"tilt": case["tilt"], "direction_dot": 1.0})["kinetic_energy"]
     case.agrees(tilt_inertia=2 * tilting, precession_inertia=2 * turning)
+
+
+CAN = {0.1: 199.848582, 0.01: 198.589813, 0.001: 198.410499, 0.0001: 198.387224}
+"""Turn of the point of contact [deg] by the precession at rest [rad/s]; quadrature, six digits."""
+
+
+@pytest.mark.parametrize("precession", CAN)
+def test_a_can_passes_flat_and_turns_its_contact_by_more_than_half_a_turn(precession, column):
+    can = rk.structure(column, mass=0.35, radius=0.033, half_height=0.06, gravity=GRAVITY)
+    start = {"tilt": 0.3 * np.arctan2(33, 60), "direction_dot": precession}
+    run = rk.simulate(can, rk.GroundMotion.none(0.2), initial=start, options=TIGHT)
+    again = brentq(lambda t: run.at(t)["tilt_dot"], 0.15, 0.2, xtol=1e-15)  # upright in between
+    assert run.at(again)["tilt"] == pytest.approx(start["tilt"], rel=1e-9)
+    assert np.degrees(run.at(again)["direction"]) == pytest.approx(CAN[precession], abs=6e-7)
+    # the limit of no precession: I_1 + m H^2 about the diameter of the base, m b^2 the rest
+    across = 0.033**2 / 4 + 0.06**2 / 3 + 0.06**2
+    limit = 180 * np.sqrt(1 + 0.033**2 / across)
+    assert limit == pytest.approx(198.383978, abs=5e-7)
+    assert 0 < CAN[precession] - limit < 33 * precession**0.5
