@@ -25,7 +25,7 @@ from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
 from rockeom.structures.positions import places, positions_of, rotations_of
-from rockeom.structures.units import dimensioned, main_units
+from rockeom.structures.units import dimensioned, ground_accelerations, main_units
 
 PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"
 
@@ -160,8 +160,9 @@ class Quantities:
             for i, name in enumerate(names)
         }
         quantities["total_energy"] = values[0].sum(axis=1)
-        across, up = self.ground.shaking(t)
-        return quantities | {"ground_acceleration": across, "vertical_ground_acceleration": up}
+        return quantities | dict(
+            zip(ground_accelerations(self.structure.module), self.ground.shaking(t), strict=True)
+        )
 
     def columns(self, names: Sequence[str]) -> Evaluate:
         """The function that gives quantities (n, m) at times, states and modes (n,)."""
