@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.integrator.program import Program, program
-from rockeom.integrator.schema import GeneratedModule, components, in_space
+from rockeom.integrator.schema import GeneratedModule, ground_axes, in_space
 from rockeom.numbers.checks import InputError, described, near
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
@@ -38,7 +38,7 @@ def _of_place(module: GeneratedModule) -> list[tuple[str, str]]:
     return [
         ("rise" if (axis, what) == ("vertical", "displacement") else f"{prefix}{what}", unit)
         for what, unit in _OF_PLACE.items()
-        for axis in components(module)
+        for axis in ground_axes(module)
         for prefix in ("" if axis == "horizontal" else f"{axis}_",)
     ]
 

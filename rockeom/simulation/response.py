@@ -122,6 +122,8 @@ class Response:
         Slope of the ground [rad].
     ground_axes : str, optional
         Axes of the ground motions, see `simulate`.
+    transverse : GroundMotion, optional
+        Second horizontal ground motion, of a structure in space.
 
     Examples
     --------
@@ -149,6 +151,7 @@ class Response:
     end: np.ndarray
     slope: float = 0.0
     ground_axes: str = SLOPE
+    transverse: GroundMotion | None = None
 
     __getstate__ = made_of
 

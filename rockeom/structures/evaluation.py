@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.integrator.schema import GeneratedModule, components, in_space, still
+from rockeom.integrator.schema import GeneratedModule, ground_axes, in_space, still_ground
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.functions import for_arrays, of_compounds
 from rockeom.numbers.jet import Jet
@@ -110,7 +110,7 @@ def motion_of_places(
     modes (n,), y (n, N). ground : accelerations, numbers or (n,), none where it stands still.
     Relative to the ground; k, `size_of_place`.
     """
-    rates = filled(m, p, "rates", m.N_STATES, modes, y, *(ground or still(m)))
+    rates = filled(m, p, "rates", m.N_STATES, modes, y, *(ground or still_ground(m)))
     size = size_of_place(m)
     moved = jets(m, p, "positions", size * len(m.POSITIONS), modes, y, rates)
     return moved.reshape(3, len(m.POSITIONS), size, len(y))
@@ -120,7 +120,7 @@ def velocities(
     m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray
 ) -> dict[str, np.ndarray]:
     """(n, 2) of each place, in space (n, 3), relative to the ground, by name."""
-    moved, axes = motion_of_places(m, p, modes, y)[1], len(components(m))
+    moved, axes = motion_of_places(m, p, modes, y)[1], len(ground_axes(m))
     return {name: place[:axes].T for name, place in zip(m.POSITIONS, moved, strict=True)}
 
 
@@ -128,8 +128,8 @@ def accelerations(
     m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray, *ground: Any
 ) -> dict[str, np.ndarray]:
     """(n, 2) of each place, in space (n, 3), absolute: with those of the ground, by name."""
-    moved, axes = motion_of_places(m, p, modes, y, *ground)[2], len(components(m))
-    added = np.stack(np.broadcast_arrays(*(ground or still(m)), y[:, 0])[:axes])
+    moved, axes = motion_of_places(m, p, modes, y, *ground)[2], len(ground_axes(m))
+    added = np.stack(np.broadcast_arrays(*(ground or still_ground(m)), y[:, 0])[:axes])
     return {name: (place[:axes] + added).T for name, place in zip(m.POSITIONS, moved, strict=True)}
 
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.integrator.schema import components, in_space
+from rockeom.integrator.schema import ground_axes, in_space
 
 BODIES = ("body", "massless")
 """Kinds of what turns: the places of all others are points."""
@@ -82,7 +82,7 @@ def places(module: Any, modes: np.ndarray, states: np.ndarray, p: np.ndarray) ->
 
 def positions_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
     """Places (..., 2), in space (..., 3), by name, of the values (..., m, k) of `places`."""
-    axes = len(components(module))
+    axes = len(ground_axes(module))
     return {name: poses[..., i, :axes] for i, name in enumerate(module.POSITIONS)}
 
 

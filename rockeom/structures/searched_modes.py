@@ -13,7 +13,8 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still
+from rockeom.integrator.linking import ground_text
+from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still_ground
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -438,7 +439,7 @@ _ON_TIME = 1e-9
 
 
 def mode_under_forces(
-    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, ...]
+    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
 ) -> int:
     """The mode in which a state goes on, by the forces under a ground acceleration.
 
@@ -497,7 +498,7 @@ def equilibrium(module: SearchedModes, p: np.ndarray, rotation: float) -> Equili
         return lacking[moving] + along.T @ lacking[tied]
 
     forces = np.zeros(len(m.REACTIONS))
-    m.reactions(mode_of(m, upright, p), upright, p, 0.0, 0.0, forces)
+    m.reactions(mode_of(m, upright, p), upright, p, *still_ground(m), forces)
     force, y = balanced(state, statics, len(free), noise=1e-12 * np.abs(forces).sum())
     if not np.isfinite(force):
         raise ValueError(f"no equilibrium of {m.NAME} at rotation {rotation}")
@@ -547,7 +548,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     compounds : numbers may be such, in those functions of them that find closed points.
     """
     own = vars(of_compounds(module) if compounds else module)
-    modules = Modules({PROVIDED: ()})
+    modules = Modules({PROVIDED: (ground_text(module),)})
     texts = modules.closure([module_text("rockeom.integrator.transitions.newton")])
     names = as_python(texts, own | {"ANGLES": angles(module)})
     if compounds:  # their globals: what the texts import is for numbers
@@ -558,7 +559,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
 def _guards(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """Guards of a mode where the ground does not accelerate."""
     values = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-    for_arrays(module, y, p).guards(mode, y, p, *still(module), values)
+    for_arrays(module, y, p).guards(mode, y, p, *still_ground(module), values)
     return values
 
 

@@ -3,12 +3,18 @@
 from collections.abc import Mapping
 from typing import Any
 
-from rockeom.integrator.schema import components
+from rockeom.integrator.schema import ground_axes
 
 
 def is_dimensionless(module: Any) -> bool:
     """Whether a structure's states, time and accelerations are pure numbers."""
     return module.STATE_UNITS[module.ROTATION] == "-"
+
+
+def ground_accelerations(module: Any) -> tuple[str, ...]:
+    """Names of the components of the ground's acceleration, in the order of the equations."""
+    names = (f"{axis}_ground_acceleration" for axis in ground_axes(module))
+    return tuple(name.removeprefix("horizontal_") for name in names)
 
 
 def main_units(module: Any) -> dict[str, str]:
@@ -18,12 +24,6 @@ def main_units(module: Any) -> dict[str, str]:
     units |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
     units |= dict.fromkeys(ground_accelerations(module), "m/s2")
     return dimensioned(module, units)
-
-
-def ground_accelerations(module: Any) -> tuple[str, ...]:
-    """Names of the accelerations of the ground, in the order of a module's arguments."""
-    _, *others = components(module)
-    return ("ground_acceleration", *(f"{axis}_ground_acceleration" for axis in others))
 
 
 def dimensioned(module: Any, units: Mapping[str, str]) -> dict[str, str]:

@@ -135,8 +135,8 @@ def wobble(tilt: sp.Expr, direction: sp.Expr, radius: sp.Expr) -> Frame:
     Frame
         Frame in the centre of the base; for no tilt it is that of the ground.
     """
-    # by half of the tilt: what carries the precession is of the order of its square, and 1 - cos of a
-    # small angle has no digits
+    # by half of the tilt: the inertia of the precession is of the order of its square, and of a
+    # small angle 1 - cos has no digits
     cos, sin = sp.cos(tilt / 2), sp.sin(tilt / 2)
     tilted = _turned("y", 1 - 2 * sin**2, 2 * sin * cos)
     rotation = about("z", direction) * tilted * about("z", -direction)

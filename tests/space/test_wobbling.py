@@ -95,7 +95,7 @@ def test_nutation_turns_at_its_least_tilt_and_comes_back_after_its_period(column
     run = rk.simulate(structure(column, case), motion, initial=start, options=TIGHT)
     after = run.at(period)
     case.agrees(
-        least_tilt=run.extremes_of("tilt").minimum, precession_in_a_period=after["direction"],
+        least_tilt=run.extremes_of(["tilt"])["tilt"].minimum, precession_in_a_period=after["direction"],
         energy=run["total_energy"][-1],
     )  # fmt: skip
     assert after["tilt"] == pytest.approx(case["tilt"], rel=case.tolerance)
@@ -152,3 +152,44 @@ def test_a_can_passes_flat_and_turns_its_contact_by_more_than_half_a_turn(preces
     limit = 180 * np.sqrt(1 + 0.033**2 / across)
     assert limit == pytest.approx(198.383978, abs=5e-7)
     assert 0 < CAN[precession] - limit < 33 * precession**0.5
+
+
+def shaken(of, case: Case, turned: float = 0.0) -> rk.Response:
+    """The podium under the three components of its case, the whole turned about the vertical."""
+    given = {"ax": "0.75 sin 4t", "ay": "-0.5 sin(3t+0.5)", "az": "0.25 sin 6t"}
+    assert given.items() <= case.given.items()
+    end = case["t_end"]
+    first, second, up = (
+        rk.GroundMotion.harmonic(size, angular_frequency=rate, phase=phase, duration=end)
+        for size, rate, phase in ((0.75, 4.0, 0.0), (-0.5, 3.0, 0.5), (0.25, 6.0, 0.0))
+    )
+    along, across = (first, second) if turned == 0.0 else (second, -first)  # by -90 degrees
+    start = {
+        "tilt": case["tilt"], "direction": case["contact_direction"] + turned,
+        "direction_dot": case["precession_rate"],
+    }  # fmt: skip
+    return rk.simulate(of, along, transverse=across, vertical=up, initial=start, options=TIGHT)
+
+
+def test_podium_under_three_components_is_that_of_40_digits(podium):
+    case = Case("podium_shaken_1.5s")
+    run = shaken(structure(podium, case, slab_mass=case["slab_mass"]), case)
+    end = run.final
+    slab = [run[f"slab_{way}"][-1] for way in ("displacement", "transverse_displacement", "rise")]
+    case.agrees(
+        tilt=end["tilt"], contact_direction=end["direction"], tilt_rate=end["tilt_dot"],
+        precession_rate=end["direction_dot"], slab_displacement=np.array(slab),
+    )  # fmt: skip
+    assert run.energy_balance().error < 1e-12
+
+
+def test_turned_podium_has_a_turned_motion(podium):
+    case = Case("podium_shaken_1.5s")
+    of = structure(podium, case, slab_mass=case["slab_mass"])
+    run, turned = shaken(of, case), shaken(of, case, -np.pi / 2)
+    assert turned.final["direction"] + np.pi / 2 == pytest.approx(run.final["direction"], rel=1e-11)
+    assert turned.final["tilt"] == pytest.approx(run.final["tilt"], rel=1e-11)
+    forces = ("horizontal_reaction", "transverse_reaction", "vertical_reaction")
+    along, across, up = (run[name][-1] for name in forces)
+    turned_by_hand = [across, -along, up]
+    np.testing.assert_allclose([turned[n][-1] for n in forces], turned_by_hand, rtol=1e-9)

@@ -42,7 +42,7 @@ EXTRAPOLATES = not LOCALISED  # whether the end of a step may be moved on its qu
 
 
 @inlined
-def initial_mode_is_one(mode, y, p, ax, ay):
+def initial_mode_is_one(mode, y, p, shaking):
     """Whether no other mode may begin in a state."""
     return True
 
@@ -127,15 +127,15 @@ def zeno_time(motion, ground, end, case, a):
     rest = Rest(np.inf, mode, False)
     if SIDES[mode] == 0.0:
         return motion, rest
-    ax, ay = ground_accelerations(ground, t)
-    rates(mode, a.y, case.p, ax, ay, a.k)
+    shaking = ground_accelerations(ground, t)
+    rates(mode, a.y, case.p, *shaking, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
         stands = rocking(mode) and t < end and motion.h_next != 0.0
         stale, due = motion.rate_stale and not stands, motion.guard_due and not stands
         return motion._replace(rate_stale=stale, guard_due=due), rest
     time, follows = time_to_rest(
-        mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance,
+        mode, a.y, case.p, case.law, case.ratio, motion.impacts, shaking, case.rest_tolerance,
         a.after,
     )  # fmt: skip
     return motion._replace(follows=follows), Rest(time, follows, False)
@@ -152,9 +152,7 @@ def through_rest(motion, ground, rest, case, a, recorder):
         rest.mode, t, rest.time, a.after, case.p, ground, case.rtol, case.atol, a.k, a.y_new
     )
     if stands and records_steps(recorder) and t + rest.time > t:
-        dense_output(
-            rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients
-        )
+        dense_output(rest.mode, t, rest.time, a.after, case.p, ground, a.k, a.coefficients)
     for i in range(N_STATES):
         a.w[i] = a.y[i] + (a.y_new[i] - a.after[i])
     return rest.mode, stands
@@ -167,7 +165,7 @@ def just_closed(closed, i):
 
 
 @inlined
-def grain_of(mode, index, ax, ay, h, b, stride, case, a):
+def grain_of(mode, index, shaking, h, b, stride, case, a):
     """Size of the rounding errors of a guard."""
     return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
 
