@@ -18,6 +18,7 @@ from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
 from rockeom.codegen.text import Text, branched
 from rockeom.codes import (
+    BOUND,
     CONTACT_LAWS,
     FRICTIONLESS,
     LANDING,
@@ -308,6 +309,8 @@ def guards_of(of: ContactDeclaration, pattern: Pattern) -> list[Guard]:
             guards.append(Guard(STICKING, i))
         elif state == STICK and all(of.contacts[j].law.friction is not None for j in group):
             guards += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
+    first = len(of.contacts) + len(of.switching)
+    guards += [Guard(BOUND, first + i) for i in range(len(of.bounds))]
     return [*guards, *_of_elements(of)]
 
 
@@ -372,6 +375,9 @@ def _guards_of(written: Written, pattern: Pattern) -> list[str]:
             points = [j for j, f in enumerate(pattern.shared) if f == i and pattern.states[j]]
             cone = sum(mode.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
+        elif guard.kind == BOUND:
+            bound = [*of.bounds.values()][i - len(of.contacts) - len(of.switching)]
+            targets[place] = _here(bound, pattern, mode)
     switches = _Switches(of)
     targets |= {name: _here(e, pattern, mode) for name, e in switches.values.items()}
     lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
@@ -660,6 +666,7 @@ def _tables(written: Written) -> list[str]:
         f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
         *([f"TIES = {ties!r}"] if (ties := _ties(of)) else []),
+        *(table("BOUNDS", of.bounds) if of.bounds else []),
         *(["HELD_ACROSS = True"] if of.is_held_across else []),
         *_impact_law(of),
         "TRANSITIONS = ()",
@@ -777,6 +784,7 @@ def _of_guards(
         return rows(first, entry, filler, longest_row)
 
     legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
+    legend += ", 8 bound" if of.bounds else ""
     return [
         *numbers_of(f"KINDS = (  # of each guard of each mode; {legend}", lambda r: r.kind, SWITCH),
         *numbers_of(

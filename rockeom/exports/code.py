@@ -236,6 +236,10 @@ def code(module: GeneratedModule, language: str) -> str:
         raise InputError("structure", of=module.NAME).says(
             "it moves in space, which is not written in other languages"
         )
+    if hasattr(module, "BOUNDS"):
+        raise InputError("structure", of=module.NAME).says(
+            "its motion ends at bounds, which are not written in other languages"
+        )
     if impact_law(module) not in (NEWTON, MOREAU):
         raise InputError("structure", of=module.NAME).says(
             f"its contacts have the impact law {name_of_law(module)!r}, which is not written in "

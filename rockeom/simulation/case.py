@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from rockeom.codes import WITH_CONSTANT
-from rockeom.integrator.schema import in_space
+from rockeom.integrator.schema import has_points, in_space
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
@@ -22,6 +22,7 @@ from rockeom.simulation.ground import MOTIONS, Ground, ground_of
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.parameters import named_states
+from rockeom.structures.searched_modes import check_bounds
 from rockeom.structures.slope import standing_on
 
 
@@ -353,6 +354,8 @@ class Case:
                     f"initial {name} is {value}: the structure lies on the ground from {fallen:.6g}"
                     f" on; start below{degrees}"
                 )
+        if has_points(structure.module):
+            check_bounds(structure.module, value_of(y0), value_of(structure.vector))
         end = motion.duration if self.duration is None else number("duration", self.duration)
         require(isfinite(end) and end > 0, "", "duration", end, "it must be finite and positive")
         law, ratio = structure.law(self.impact)

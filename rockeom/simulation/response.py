@@ -467,6 +467,8 @@ class Response:
         m = self.structure.module
         if self.outcome in (Outcome.NO_SOLUTION, Outcome.SEVERAL_SOLUTIONS):
             return f" An assumption fails: {assumption(m, self.structure.vector)}."
+        if self.outcome is Outcome.OUT_OF_BOUNDS:
+            return f" The bound is {self.events[-1].contact!r}."
         if fall_is_judged(self):
             return " It is judged to fall: no mode fits any more, and a body turns on outward."
         if not self.overturned or len(self.structure.falls) == 1:

@@ -24,9 +24,9 @@ from rockeom.structures.statics import Equilibrium, balanced
 
 HAPPENED = {
     codes.LANDING: "landing", codes.LIFTING: "lifting",
-    codes.SLIPPING: "slip begins", codes.STICKING: "slip ends",
+    codes.SLIPPING: "slip begins", codes.STICKING: "slip ends", codes.BOUND: "bound",
 }  # fmt: skip
-"""Words for the events of a point."""
+"""Words for the events of a point, and of a bound."""
 
 _CLOSED = 1e-9
 """Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
@@ -329,6 +329,20 @@ def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
             )
 
 
+def check_bounds(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a state at a bound of the declaration, or beyond."""
+    mode = 0
+    guards = _guards(module, mode, y, p)
+    others = len(module.POINTS) + len(module.ELEMENTS)
+    for i, kind in enumerate(module.KINDS[mode]):
+        if kind == codes.BOUND and not guards[i] > 0.0:
+            name = getattr(module, "BOUNDS", ())[module.SUBJECTS[mode][i] - others]
+            raise InputError("initial", of=module.NAME).says(
+                f"the bound {name!r} is {guards[i]:g} in this state: give one in which it is above "
+                "zero"
+            )
+
+
 def _after(
     module: SearchedModes, mode: int, guard: int, y: np.ndarray, p: np.ndarray
 ) -> np.ndarray:
@@ -627,7 +641,8 @@ def subjects(
             continue
         number = module.SUBJECTS[mode][guard]
         if number >= len(module.POINTS):
-            names[i] = module.ELEMENTS[number - len(module.POINTS)]
+            others = (*module.ELEMENTS, *getattr(module, "BOUNDS", ()))
+            names[i] = others[number - len(module.POINTS)]
             continue
         several = [number]
         if kind == codes.LANDING:

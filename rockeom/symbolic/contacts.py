@@ -347,6 +347,7 @@ class ContactDeclaration:
     reference: str = ""
     members: tuple[Member, ...] = ()
     falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    bounds: Mapping[str, sp.Expr] = field(default_factory=dict, hash=False)
 
     @cached_property
     def free(self) -> Mode:

@@ -12,7 +12,8 @@ A column on its rim, two coordinates:
     at = space.wobble(tilt.position, direction.position, radius=b.symbol)
     column = space.cylinder("column", m.symbol, b.symbol, 2 * H.symbol, at, (0, 0, H.symbol))
     Model(name="column", title="Column on its rim", parameters=(m, b, H, g),
-          coordinates=(tilt, direction), bodies=[column], gravity=g.symbol, rotation=tilt)
+          coordinates=(tilt, direction), bodies=[column], gravity=g.symbol, rotation=tilt,
+          bounds={"flat": tilt.position})
 """
 
 from dataclasses import dataclass

@@ -26,6 +26,7 @@ def model(*bodies: Body, **more) -> Model:
     return Model(
         **{"name": "free_body", "title": "Body in space"} | more, parameters=(MASS, G),
         coordinates=(*PLACE, *ANGLES), bodies=bodies, gravity=G.symbol, rotation=PITCH,
+        bounds={"ground": PLACE[2].position + 100},
     )  # fmt: skip
 
 
@@ -144,7 +145,7 @@ def test_a_tensor_of_no_masses_is_refused_by_its_values(moments):
     body = space.body("stone", MASS.symbol, sp.diag(*(p.symbol for p in along)), FRAME)
     declared = Model(
         name="stone", title="Stone", parameters=(MASS, *along, G), coordinates=(*PLACE, *ANGLES),
-        bodies=[body], gravity=G.symbol, rotation=PITCH,
+        bodies=[body], gravity=G.symbol, rotation=PITCH, bounds={"ground": PLACE[2].position + 100},
     )  # fmt: skip
     values = {p.name: value for p, value in zip(along, moments, strict=True)}
     with pytest.raises(ValueError, match="may be above the sum of the other two"):

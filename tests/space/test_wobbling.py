@@ -6,7 +6,9 @@ import sympy as sp
 from scipy.optimize import brentq
 
 import rockeom as rk
-from rockeom.symbolic import Body, Model, coordinate, parameter, space
+from rockeom import plots
+from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, parameter, space
+from tests.refusals import told
 from tests.space.cases import GRAVITY, Case, of_group
 
 TIGHT = rk.SolverOptions(rtol=1e-13, atol=1e-15)
@@ -33,6 +35,7 @@ def model(name: str, bodies: list[Body], *more: rk.symbolic.Parameter) -> Model:
     return Model(
         name=name, title="Columns on their rims", parameters=(MASS, RADIUS, HEIGHT, *more, G),
         coordinates=(TILT, DIRECTION), bodies=bodies, gravity=G.symbol, rotation=TILT,
+        bounds={"flat": TILT.position},
     )  # fmt: skip
 
 
@@ -95,8 +98,8 @@ def test_nutation_turns_at_its_least_tilt_and_comes_back_after_its_period(column
     run = rk.simulate(structure(column, case), motion, initial=start, options=TIGHT)
     after = run.at(period)
     case.agrees(
-        least_tilt=run.extremes_of(["tilt"])["tilt"].minimum, precession_in_a_period=after["direction"],
-        energy=run["total_energy"][-1],
+        least_tilt=run.extremes_of(["tilt"])["tilt"].minimum, energy=run["total_energy"][-1],
+        precession_in_a_period=after["direction"],
     )  # fmt: skip
     assert after["tilt"] == pytest.approx(case["tilt"], rel=case.tolerance)
     assert abs(after["tilt_dot"]) < 1e-10
@@ -193,3 +196,51 @@ def test_turned_podium_has_a_turned_motion(podium):
     along, across, up = (run[name][-1] for name in forces)
     turned_by_hand = [across, -along, up]
     np.testing.assert_allclose([turned[n][-1] for n in forces], turned_by_hand, rtol=1e-9)
+
+
+def test_a_column_without_precession_ends_where_it_comes_flat(column):
+    """It would strike the opposite rim, an impact that its coordinates do not have."""
+    of = rk.structure(column, mass=3.0, radius=0.25, half_height=1.0, gravity=GRAVITY)
+    run = rk.simulate(of, rk.GroundMotion.none(3.0), initial={"tilt": 0.1}, options=TIGHT)
+    assert run.outcome is rk.Outcome.OUT_OF_BOUNDS
+    assert "It reached a bound of its declaration" in run.summary()
+    assert "The bound is 'flat'." in run.summary()
+    # until then it rocks in a plane, as a block of the same moment of inertia
+    block = rk.RigidBlock(
+        half_width=0.25, half_height=1.0, mass=3.0, inertia=3.0 * (0.25**2 / 4 + 1 / 3),
+        gravity=GRAVITY,
+    )  # fmt: skip
+    rocking = rk.simulate(block, run.motion, initial={"theta": 0.1}, options=TIGHT)
+    assert run.events[-1].time == pytest.approx(rocking.impacts[0].time, rel=1e-12)
+    assert run.final["tilt_dot"] == pytest.approx(rocking.impacts[0].before["theta_dot"], rel=1e-12)
+    said = told(rk.simulate, of, run.motion, initial={"direction_dot": 1.0})
+    assert "the bound 'flat' is 0 in this state" in said
+
+
+def test_a_block_that_slides_out_of_its_room_ends_at_the_wall():
+    m, g = MASS.symbol, G.symbol
+    x, y, theta = (coordinate(n, n, u, n) for n, u in (("x", "m"), ("y", "m"), ("theta", "rad")))
+    block = Body("block", m, (x.position, y.position), m, theta.position)
+    foot = Contact(
+        "foot", y.position, x.position, Rigid(restitution=0, friction=sp.Rational(1, 10))
+    )
+    sliding = Model(
+        name="sliding_mass", title="Mass that slides", parameters=(MASS, G),
+        coordinates=(x, y, theta), bodies=[block], contacts=[foot], gravity=g, rotation=theta,
+        bounds={"wall": 1 - x.position},
+    )  # fmt: skip
+    of = rk.structure(sliding, mass=2.0, gravity=10.0)
+    run = rk.simulate(of, rk.GroundMotion.none(3.0), initial={"x_dot": 2.0})
+    assert run.outcome is rk.Outcome.OUT_OF_BOUNDS
+    assert run.events[-1].contact == "wall"
+    assert run.final["x"] == pytest.approx(1.0, rel=1e-12)
+    assert run.events[-1].time == pytest.approx(2.0 - 2.0**0.5, rel=1e-12)  # 2 t - t^2/2 = 1
+    slower = rk.simulate(of, rk.GroundMotion.none(3.0), initial={"x_dot": 1.2})
+    assert slower.final["x"] == pytest.approx(0.72, rel=1e-9)
+
+
+def test_what_is_not_drawn_in_space_says_so(column):
+    of = rk.structure(column, mass=3.0, radius=0.25, half_height=1.0, gravity=GRAVITY)
+    run = rk.simulate(of, rk.GroundMotion.none(0.1), initial={"tilt": 0.1})
+    for draw in (run.animate, lambda: plots.draw_structure(of, state={"tilt": 0.1})):
+        assert "it moves in space, and sketches and films show a plane" in told(draw)

@@ -7,6 +7,7 @@ import numpy as np
 
 from rockeom.codes import (
     AMBIGUOUS,
+    BOUND,
     CHATTER,
     IMPOSSIBLE,
     LANDING,
@@ -20,7 +21,7 @@ from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import KINDS, N_STAGES, N_STATES
-from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
 from rockeom.integrator.tolerances import SAME_INSTANT, SOON_IN_STEP
@@ -103,6 +104,8 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     Events without end at one instant, and one that nothing may follow, are stepped over.
     """
     rest = Rest(np.inf, motion.mode, False)
+    if KINDS[motion.mode][guard] == BOUND:
+        return end_at_bound(motion, guard, a, recorder), rest
     if motion.idle > MOST_IDLE:
         outcome = CHATTER
         if motion.follows < 0:  # the impacts have an end, but nothing that may follow it

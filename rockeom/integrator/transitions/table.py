@@ -5,7 +5,7 @@ The contract of transitions, which search.py fulfils for points that may open, s
 
 import numpy as np
 
-from rockeom.codes import CHATTER, IMPACT, UPLIFT
+from rockeom.codes import BOUND, CHATTER, IMPACT, UPLIFT
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
@@ -29,7 +29,7 @@ from rockeom.integrator.provided import (
     jump,
     rates,
 )
-from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, records_steps
 from rockeom.integrator.rounding import noise_of
 from rockeom.integrator.tolerances import LEAST_PRODUCT
@@ -105,6 +105,8 @@ def time_to_landing(motion, step, case, a):
 def transition(motion, ground, guard, h, end, case, a, recorder):
     """(motion, rest): in the mode that follows the event of a guard; no rest follows from it."""
     before, kind = motion.mode, KINDS[motion.mode][guard]
+    if kind == BOUND:
+        return end_at_bound(motion, guard, a, recorder), Rest(np.inf, before, False)
     if motion.idle > MOST_IDLE:
         return motion._replace(outcome=CHATTER), Rest(np.inf, before, False)
     ratio = velocity_ratio_at(case.law, case.ratio, motion.impacts, a.y[ROTATION_RATE], case.p)
