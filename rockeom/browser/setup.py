@@ -256,8 +256,7 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
         )
     if in_space(case.structure.module):
         raise InputError("case", of="explorer").says(
-            "a page shows structures in the plane: simulate this one, which moves in space, in "
-            "Python"
+            "the structure moves in space, and pages show the plane: simulate it in Python"
         )
     try:
         problem = case.problem()

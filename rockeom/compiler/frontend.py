@@ -40,7 +40,7 @@ where the text is a fused one and the processor can.
 import ast
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -454,18 +454,16 @@ class Function:
 
     def _spread(self, node: ast.Call) -> list[tuple[ast.expr, Value]]:
         """The arguments of a call and their values; a starred tuple is as many as it has items."""
-        arguments = []
+        arguments: list[tuple[ast.expr, Value]] = []
         for argument in node.args:
-            if not isinstance(argument, ast.Starred):
+            if isinstance(argument, ast.Starred):
+                whole = self._value(argument.value)
+                if not isinstance(whole.type, Tuple):
+                    self.refuse(argument, f"a tuple has a star, and no {described(whole.type)}")
+                items = map(partial(self.ir.item, whole), range(len(whole.type.items)))
+                arguments += [(argument, item) for item in items]
+            else:
                 arguments.append((argument, self._value(argument)))
-                continue
-            whole = self._value(argument.value)
-            if not isinstance(whole.type, Tuple):
-                self.refuse(
-                    argument, f"only a tuple has a star, and this is {described(whole.type)}"
-                )
-            items = range(len(whole.type.items))
-            arguments += [(argument, self.ir.item(whole, i)) for i in items]
         return arguments
 
     def _tuple_of_rounds(self, node: ast.Call) -> Value:
@@ -714,7 +712,7 @@ class Function:
     def _rounds(
         self, loop: ast.For | ast.comprehension, of: ast.expr, do: Callable[[], Any]
     ) -> list[Any]:
-        """What each round of a loop over constants gives, in which its name is one of them."""
+        """The results of the rounds of a loop over constants, in which its name is one of them."""
         numbers, target, given = self._maybe(of), loop.target, []
         if numbers is None:
             self.refuse(of, _ALL_CONSTANTS)

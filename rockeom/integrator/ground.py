@@ -79,7 +79,7 @@ def ground_accelerations(ground, t):
 
 @everywhere
 def shaking_at(k, first, apart):
-    """The accelerations of the ground that stand in an array, so far apart from one another."""
+    """The accelerations of the ground, kept in an array at these distances from one another."""
     if AXES == 3:
         return k[first], k[first + apart], k[first + 2 * apart]
     else:
@@ -150,12 +150,9 @@ def ground_from(ground, t, case):
 
 
 @inlined
-def has_ended(ground, t):
-    """Whether one of the segments has."""
-    over = False
-    for axis in unrolled(range(AXES)):
-        over = over or t >= ground[axis].row[1]
-    return over
+def first_end(ground):
+    """When the first of the segments ends."""
+    return min(*tuple(ground[axis].row[1] for axis in unrolled(range(AXES))))
 
 
 @inlined
@@ -210,15 +207,12 @@ def jumps(before, after):
 
 
 @inlined
-def sampling_step(ground):
-    """Largest step in which eight samples of a guard follow the segments of the ground.
+def sampling_step(row):
+    """Largest step in which eight samples of a guard follow a segment of the ground.
 
     Only guards of uplift and of springs are sampled; in full contact nothing else may move, and
     the error of a step says nothing of the ground.
     """
-    longest = np.inf
-    for axis in unrolled(range(AXES)):
-        row = ground[axis].row
-        if row[2] != 0.0:
-            longest = min(longest, (1.0 if row[2] == 1.0 else 0.5) / abs(row[4]))
-    return longest
+    if row[2] == 0.0:
+        return np.inf
+    return (1.0 if row[2] == 1.0 else 0.5) / abs(row[4])

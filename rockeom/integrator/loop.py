@@ -51,10 +51,10 @@ from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.extremes import falls_at, may_fall, widen, widen_within, widens
 from rockeom.integrator.full_contact import cannot_move, stands_until
 from rockeom.integrator.ground import (
+    first_end,
     ground_accelerations,
     ground_at,
     ground_from,
-    has_ended,
     jumps,
     sampling_step,
     straight,
@@ -178,7 +178,7 @@ def integrate(
         return SEVERAL_SOLUTIONS
     turn = motion.taken + TURN
     while True:
-        if has_ended(ground, motion.t):
+        if motion.t >= first_end(ground):
             ground, jumped = next_segments(ground, motion.t, case)
             if jumped:  # a call that ends where a segment does must tell the next one
                 motion = motion._replace(rate_stale=True, guard_due=True)
@@ -188,7 +188,7 @@ def integrate(
             if motion.taken >= case.max_steps and error == -1.0:
                 motion = motion._replace(outcome=STALLED)
                 break
-            if has_ended(ground, motion.t):
+            if motion.t >= first_end(ground):
                 continue  # the other table's segment ends there, too
         if not motion.t < case.t_end:
             break
@@ -318,7 +318,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
     unjudged, jumped, now = -1.0, False, ground
     most, extremes = min(turn, case.max_steps - 1), recorder.extremes
     while taken <= most:
-        if has_ended(now, t):
+        if t >= first_end(now):
             now, jumped = next_segments(now, t, case)
         if jumped or not t < case.t_end or not (rocking(mode) or straight(now)):
             break
@@ -362,8 +362,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
 
 @inlined
 def end_of_segments(ground, case):
-    """When the first of the segments ends, or the motion."""
-    return min(*tuple(ground[axis].row[1] for axis in unrolled(range(AXES))), case.t_end)
+    return min(first_end(ground), case.t_end)
 
 
 @inlined
@@ -398,7 +397,7 @@ def plan(motion, ground, case, a):
     proposed = np.inf if still else h_next
     h = min(proposed, case.h_max)
     if not rocking(mode):
-        h = min(h, sampling_step(ground))
+        h = min(h, *tuple(sampling_step(ground[axis].row) for axis in unrolled(range(AXES))))
     h = min(h, longest_turn(a.y))
     longest = min(proposed, end - t)
     cut = t + 1.1 * h >= end

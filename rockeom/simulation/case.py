@@ -300,12 +300,10 @@ class Case:
         """Raise InputError for a transverse motion in the plane, and for a slope in space."""
         name, spatial = type(self.structure).__name__, in_space(self.structure.module)
         if self.transverse is not None and not spatial:
-            raise InputError("transverse").says(
-                f"{name} moves in a plane, and no transverse ground motion moves it: leave it out"
-            )
+            raise InputError("transverse").says(f"{name} moves in a plane: leave it out")
         if spatial and not self.ground.is_level:
             raise InputError("slope", self.slope).says(
-                f"{name} moves in space, where the ground is level: leave the slope out"
+                f"{name} moves in space, and its ground is level: leave the slope out"
             )
 
     def _take_components(self, recording: Recording) -> None:

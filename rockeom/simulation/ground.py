@@ -20,7 +20,7 @@ STILL.flags.writeable = False
 MOTIONS = Motions._fields
 """The names of the motions of which the loop takes tables."""
 PARTS = {"horizontal": "motion"}
-"""What a case calls them, where it calls them otherwise."""
+"""The name of the part of a case that is a motion, where it has another one."""
 
 
 @dataclass(frozen=True)

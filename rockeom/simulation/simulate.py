@@ -217,25 +217,9 @@ class _Bench:
             np.zeros(compiled.SCRATCH),
         )  # fmt: skip
         self.falls = compiled.falls.bound(
-            0,
-            self.y,
-            0.0,
-            STILL,
-            STILL,
-            STILL,
-            p,
-            0,
-            0.0,
-            0.0,
-            self.atol,
-            np.inf,
-            0,
-            0.0,
-            1e-6,
-            0,
-            0,
-            0.0,
-        )
+            0, self.y, 0.0, STILL, STILL, STILL, p, 0, 0.0, 0.0, self.atol, np.inf, 0, 0.0, 1e-6,
+            0, 0, 0.0,
+        )  # fmt: skip
         self.at_rest = compiled.at_rest.bound(0, self.y, p)
 
     def run(self, q: Problem, options: SolverOptions, recorder: Recorder | None) -> Integrated:

@@ -453,7 +453,7 @@ _ON_TIME = 1e-9
 
 
 def mode_under_forces(
-    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
+    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, ...]
 ) -> int:
     """The mode in which a state goes on, by the forces under a ground acceleration.
 
@@ -462,7 +462,7 @@ def mode_under_forces(
     """
     if not len(module.POINTS):
         return mode
-    follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
+    follows = _searching(module)["fits_by_forces"](mode, y, p, ground)
     if follows < 0:
         none = "no" if follows == codes.IMPOSSIBLE else "more than one"
         raise InputError("state").says(

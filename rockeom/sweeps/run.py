@@ -280,8 +280,7 @@ def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
         return pay and explicit and not in_space(module)
     if lanes and in_space(module):
         raise InputError("lanes", True).says(
-            f"lanes carry motions in the plane, and {module.NAME} moves in space: leave lanes=True "
-            "out"
+            f"lanes are of the plane, and {module.NAME} moves in space: leave lanes=True out"
         )
     if lanes and not pay:
         raise InputError("lanes", True).says(

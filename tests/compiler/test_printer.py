@@ -481,7 +481,7 @@ REFUSED = {
     "x = tuple(i for i in range(2))": "a tuple is written out, or tuple(x for i in unrolled",
     "x = tuple(i for i in unrolled((1, 2)) if i > 1)": "a tuple is written out, or",
     "i = 3\n    x = tuple(i for i in unrolled((1, 2)))": "no variable has it",
-    "x = outer(*y)": "only a tuple has a star, and this is array of float with 1 dimensions",
+    "x = outer(*y)": "a tuple has a star, and no array of float with 1 dimensions",
     "x = outer(*(1.0, 2.0))": "it takes 1 arguments, and got 2",
     "x = other(1.0)": "no function other is known",
     "x = outer(1.0, 2.0)": "it takes 1 arguments, and got 2",

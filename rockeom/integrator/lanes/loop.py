@@ -440,7 +440,9 @@ def next_segments_of(lane, z, w, case, batch):
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], batch.t_end[case])
     span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
     z[Z_EQUAL + lane] = span / batch.fixed if batch.fixed > 0 and span < np.inf else 0.0
-    z[Z_LONGEST + lane] = sampling_step(ground_of(z, lane))
+    z[Z_LONGEST + lane] = min(
+        sampling_step(segment(z, Z_START_X, lane)), sampling_step(segment(z, Z_START_Y, lane))
+    )
     return jumped
 
 

@@ -131,13 +131,12 @@ class Setup(NamedTuple):
 
 
 class Segments(NamedTuple):
-    """The segments of the ground that hold, without and with derivatives, and how they begin.
+    """The segments of the ground that hold, and how they begin.
 
     tau : derivatives of the times at which they begin, along each axis; their values are zero.
     """
 
     ground: Ground
-    varied: Ground
     tau: tuple[float, ...]
 
 
@@ -181,7 +180,7 @@ def propagate_tangents(
         guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(CONTACT_SIZE),
     )  # fmt: skip
     setup = Setup(recorder, case, varied, out, scratch)
-    segments = first_segments(case, varied)
+    segments = first_segments(case)
     progress = Progress(event=0, step=0, query=0, impacts=0, length=0.0)
     while progress.step < len(recorder.steps) or progress.event < len(recorder.events):
         if event_is_next(progress, recorder):
@@ -236,29 +235,25 @@ def set_values(y, values):
 # -- the ground ------------------------------------------------------------------------------------
 
 
-def first_segments(case, varied):
-    ground = ground_at(0.0, case)
+def first_segments(case):
     still = tuple(moving(0.0, 0.0) for _ in unrolled(range(AXES)))
-    return Segments(ground, varied_ground(ground, varied), still)
+    return Segments(ground_at(0.0, case), still)
 
 
 @inlined
 def segments_at(t, mode, segments, setup):
     """The segments that hold at t and after it; the state crosses corners at their beginnings."""
-    ground, tau, motions = segments.ground, segments.tau, tables(setup.case)
-    changed = False
+    ground, tau = segments.ground, segments.tau
+    motions, along = tables(setup.case), tables(setup.varied)
     for axis in unrolled(range(AXES)):
         if t >= ground[axis].row[1]:
-            before, end, changed = ground, segments.varied[axis].row[1], True
-            start = end - value(end)
-            new = segment_at(motions[axis], ground[axis].number, t)
+            before, end = ground, varied_segment(ground[axis], along[axis]).row[1]
+            start, new = end - value(end), segment_at(motions[axis], ground[axis].number, t)
             ground = tuple(new if i == axis else ground[i] for i in unrolled(range(AXES)))
             tau = tuple(start if i == axis else tau[i] for i in unrolled(range(AXES)))
             if setup.varied.corners:
                 cross_corner(t, mode, before, ground, start, setup)
-    if changed:
-        return Segments(ground, varied_ground(ground, setup.varied), tau)
-    return segments
+    return Segments(ground, tau)
 
 
 @inlined
@@ -268,6 +263,7 @@ def varied_ground(ground, varied):
     return tuple(varied_segment(ground[axis], motions[axis]) for axis in unrolled(range(AXES)))
 
 
+@inlined
 def varied_segment(segment, table):
     """A segment with its derivatives."""
     if segment.number < table.shape[0]:
@@ -293,7 +289,8 @@ def cross_corner(t, mode, before, after, tau, setup):
 def cross_step(progress, segments, setup):
     """Behind a recorded step; the states at the times within it are written."""
     recorder, out, y_new = setup.recorder, setup.out, setup.scratch.y_new
-    i, query, along = progress.step, progress.query, segments.varied
+    i, query = progress.step, progress.query
+    along = varied_ground(segments.ground, setup.varied)
     mode, t, length = recorder.step_modes[i], recorder.steps[i, 0], recorder.steps[i, 1]
     start = recorder.step_states[i, 0]
     set_values(out.y, start)
@@ -360,6 +357,7 @@ def cross_events(progress, segments, setup):
     i, impacts, step = progress.event, progress.impacts, progress.step
     event, y_recorded = event_at(i, recorder), recorder.event_states[i, 0]
     t, ground, p = event.time, segments.ground, setup.case.p
+    along = varied_ground(ground, setup.varied)
     set_values(y, y_recorded)
     rates_at(event.mode_before, t, y_recorded, ground, p, scratch.rate)
     code, tau = event_time_sensitivity(progress, segments, setup)
@@ -372,13 +370,11 @@ def cross_events(progress, segments, setup):
         if event.guard == STEPPED_OVER:
             return GRAZES, progress
         if event.kind == REST:  # as long after the last impact, at t, as those to come take
-            duration, mode = rest_after_impacts(event, t + tau, impacts, segments.varied, setup)
+            duration, mode = rest_after_impacts(event, t + tau, impacts, along, setup)
             tau += duration - value(duration)
             t = event.time
         else:
-            mode = mode_after_event(
-                event, t + tau, progress.length, impacts, segments.varied, setup
-            )
+            mode = mode_after_event(event, t + tau, progress.length, impacts, along, setup)
         if mode != event.mode_after:
             return OTHER_WAY, progress
         write_event(i, t + tau, setup)
@@ -417,7 +413,7 @@ def event_time_sensitivity(progress, segments, setup):
     rates before it are in `scratch.rate`.
     """
     event, y = event_at(progress.event, setup.recorder), setup.out.y
-    t, ground, along, g = event.time, segments.ground, segments.varied, setup.scratch.guards
+    t, ground, g = event.time, segments.ground, setup.scratch.guards
     fixed = moving(0.0, 0.0)
     if event.guard == STEPPED_OVER:
         return GRAZES, fixed
@@ -431,7 +427,8 @@ def event_time_sensitivity(progress, segments, setup):
     if not falls_clearly(slope, event, y_recorded, progress.length, ground, setup):
         # its time is not known; where nothing changes there, none is asked for
         return (0 if nothing_changes(progress.event, ground, setup) else GRAZES), fixed
-    guards(event.mode_before, y, setup.varied.p, *ground_accelerations(along, t), g)
+    shaking = ground_accelerations(varied_ground(ground, setup.varied), t)
+    guards(event.mode_before, y, setup.varied.p, *shaking, g)
     return 0, (value(g[event.guard]) - g[event.guard]) / slope
 
 
