@@ -91,21 +91,20 @@ def test_transverse_motion_acts_where_the_equations_have_it(name, method):
 def test_derivatives_by_each_motion(name):
     """Those by the factor of all motions are the sum of the others, and those of the plane."""
     one, other = cases(name)
-    names = ["scale", "motion.scale", "transverse.scale", "vertical.scale", "transverse.time_scale"]
-    state = one.structure.states[0]
-    of = [f"end {state}"]
-    space, plane = rk.sensitivity(one, of=of, to=names), rk.sensitivity(other, of=of, to=names[:1])
-    whole, *parts, by_time = space.derivatives[0]
-    assert whole == pytest.approx(plane.derivatives[0, 0], rel=1e-6)
-    assert whole == pytest.approx(sum(parts), rel=1e-9)
-    assert all(np.abs(parts) > 1e-6)
-    step = 1e-5
-    ends = [
-        rk.simulate(replace(one, transverse=SIDEWAYS.scaled(a, time=b))).end[0]
-        for a, b in ((1 + step, 1.0), (1 - step, 1.0), (1.0, 1 + step), (1.0, 1 - step))
-    ]
-    assert (ends[0] - ends[1]) / (2 * step) == pytest.approx(parts[1], rel=1e-4)
-    assert (ends[2] - ends[3]) / (2 * step) == pytest.approx(by_time, rel=1e-3)
+    of, to = [f"end {one.structure.states[0]}"], ["motion.scale", "transverse.scale"]
+    space = rk.sensitivity(one, of=of, to=["scale", *to, "vertical.scale"]).derivatives[0]
+    plane = rk.sensitivity(other, of=of, to=["scale"]).derivatives[0]
+    assert space[0] == pytest.approx(plane[0], rel=1e-6)
+    assert space[0] == pytest.approx(space[1:].sum(), rel=1e-9)
+    assert (np.abs(space) > 1e-6).all()
+    jumping = rk.GroundMotion.single_cosine(4.0, 0.7)  # where it ends, which moves with its time
+    case = replace(one, transverse=jumping)
+    scaled = {"scale": jumping.scaled, "time_scale": lambda x: jumping.scaled(1.0, time=x)}
+    for name, motion in scaled.items():
+        by_name = rk.sensitivity(case, of=of, to=[f"transverse.{name}"]).derivatives[0, 0]
+        sides = (replace(case, transverse=motion(x)) for x in (1 - 1e-5, 1 + 1e-5))
+        low, high = (rk.simulate(side).end[0] for side in sides)
+        assert (high - low) / 2e-5 == pytest.approx(by_name, rel=1e-3)
 
 
 def test_sweeps_and_files_keep_the_transverse_motion(tmp_path):
