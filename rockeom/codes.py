@@ -9,8 +9,8 @@ import numpy as np
 # How a motion ended
 (
     COMPLETED, CAME_TO_REST, OVERTURNED, TOO_MANY_IMPACTS, STALLED, CHATTER, NOT_FINITE,
-    NO_SOLUTION, SEVERAL_SOLUTIONS,
-) = range(9)  # fmt: skip
+    NO_SOLUTION, SEVERAL_SOLUTIONS, OUT_OF_BOUNDS,
+) = range(10)  # fmt: skip
 OUTCOMES = {
     COMPLETED: "completed",
     CAME_TO_REST: "came to rest",
@@ -21,6 +21,7 @@ OUTCOMES = {
     NOT_FINITE: "not finite",
     NO_SOLUTION: "no solution",
     SEVERAL_SOLUTIONS: "several solutions",
+    OUT_OF_BOUNDS: "out of bounds",
 }
 """The word of each outcome, in `rockeom.simulation.response.Outcome`, in sweeps and in files."""
 
@@ -28,7 +29,7 @@ GRAZES, OTHER_WAY = 1, 2
 """Why derivatives are not carried on: the time of an event is not known, or what followed it is not
 found again."""
 
-FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over
+FULL = 10  # it has not: the records must be emptied before the loop goes on, or a turn is over
 
 # Kinds of guards, by the event that ends a mode; and the end of infinitely many impacts, a kind of
 # event without a guard
@@ -38,6 +39,8 @@ KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
 # and of those of a point that may open, slide and bounce: its gap closes, its normal force falls to
 # zero, its friction reaches the bound, its slip comes to a stop
 LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
+
+BOUND = 8  # kind of the guard beyond which a declaration does not hold
 
 STEPPED_OVER = -2
 """In place of the guard of a REST that is a step over events without end, see `step_over`."""

@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 65_051, "tests": 49_917, "generated": 14_265, "/.": 311, "/analysis": 7_835,
-    "/assessment": 1_323, "/browser": 3_607, "/cli": 2_534, "/codegen": 2_182, "/compiler": 2_135,
-    "/drawing": 1_462, "/exports": 1_749, "/generated": 56, "/integrator": 7_038,
-    "/modelling": 817, "/motion": 4_820, "/numbers": 949, "/plots": 1_174, "/simulation": 2_425,
-    "/structures": 3_963, "/sweeps": 2_068, "/symbolic": 8_650, "/teaching": 39,
+    "rockeom": 65_487, "tests": 50_407, "generated": 14_265, "/.": 313, "/analysis": 7_835,
+    "/assessment": 1_323, "/browser": 3_612, "/cli": 2_534, "/codegen": 2_223, "/compiler": 2_164,
+    "/drawing": 1_477, "/exports": 1_768, "/generated": 56, "/integrator": 7_116,
+    "/modelling": 817, "/motion": 4_820, "/numbers": 949, "/plots": 1_174, "/simulation": 2_467,
+    "/structures": 4_015, "/sweeps": 2_076, "/symbolic": 8_795, "/teaching": 39,
     "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
@@ -262,8 +262,8 @@ def figures() -> list[Figure]:
         Figure("modules at the root", folders["."], 4),
         Figure("files of a folder", max(folders.values()), 21),
         Figure("names of analysis", public_names("rockeom.analysis"), 11),
-        Figure("members of Response", members(of, "Response"), 38),
-        Figure("lines of code of a file", max(code_lines(s.text) for s in of), 647),
+        Figure("members of Response", members(of, "Response"), 39),
+        Figure("lines of code of a file", max(code_lines(s.text) for s in of), 666),
         Figure("names found, known, given", vague_names(of), 1103),
         Figure("texts that are run", count(r"\bexec\("), 3),
     ]  # fmt: skip

@@ -61,6 +61,7 @@ def case_of_page(numbers, end, p, horizontal, vertical, atol):
     return Case(
         max(numbers[OF_END], end),
         horizontal[0 : int(numbers[OF_ROWS_X])],
+        horizontal[0:0],
         vertical[0 : int(numbers[OF_ROWS_Y])],
         p[0 : int(numbers[OF_SIZE])],
         int(numbers[OF_LAW]), numbers[OF_RATIO], RTOL, atol, np.inf, 0, numbers[OF_FALLEN], 1e-6,

@@ -42,7 +42,7 @@ from rockeom.browser.traced import (
     skeleton,
 )
 from rockeom.compiler.modules import Text
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, in_space
 from rockeom.numbers.checks import InputError
 from rockeom.simulation.case import Case, Problem
 
@@ -253,6 +253,10 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     if not case.ground.is_level:
         raise InputError("slope", of="explorer").says(
             "a page has level ground: leave {slope} out, and simulate the case in Python"
+        )
+    if in_space(case.structure.module):
+        raise InputError("case", of="explorer").says(
+            "the structure moves in space, and pages show the plane: simulate it in Python"
         )
     try:
         problem = case.problem()

@@ -13,7 +13,6 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import ImpulseMap
 from rockeom.symbolic.mode import Transition
-from rockeom.symbolic.model import GROUND_Y
 
 ImpulseNames = dict[tuple[str, str], str]
 """Name of the function of an impact map, by the modes before and after."""
@@ -132,12 +131,13 @@ def _guards(text: Text) -> None:
         targets = {f"g[{i}]": e for i, e in expressions.items()}
         body += text.evaluate("guards", targets, " " * 8, hoist=True)
         body += [
-            f"        g[{i}] = -opening_acceleration({text.mode_constants[t.target]}, y, p, ax, ay)"
+            f"        g[{i}] = -opening_acceleration("
+            f"{text.mode_constants[t.target]}, y, p, {text.shaking})"
             for i, t in enumerate(transitions)
             if t.kind == "uplift"
         ]
     text.function(
-        "guards(mode, y, p, ax, ay, g)",
+        f"guards(mode, y, p, {text.shaking}, g)",
         """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
@@ -251,7 +251,11 @@ def _sums(text: Text, mode: str) -> list[sp.Expr]:
     A structure of one coordinate does not move on both feet.
     """
     leaving = _outgoing(text.model, mode)
-    if text.n < 2 or any(t.kind != "uplift" or t.guard is not None for t in leaving):
+    if (
+        text.n < 2
+        or len(text.model.shaking) > 2
+        or any(t.kind != "uplift" or t.guard is not None for t in leaving)
+    ):
         return []
     terms = [_sum(text, t.target) for t in leaving]
     return [e for e in terms if e is not None] if None not in terms else []
@@ -269,7 +273,7 @@ def _sum(text: Text, rocking: str) -> sp.Expr | None:
         F = eq.mass_matrix.adjugate() * eq.forcing
     elif left != [rotation]:
         return None
-    closed = {model.rotation.position: 0, model.rotation.velocity: 0, GROUND_Y: 0}
+    closed = {model.rotation.position: 0, model.rotation.velocity: 0, model.shaking[-1]: 0}
     side = mode.side_of(rocking)
     opens = sp.expand(model.in_mode(F[rotation], rocking).subs(closed))
     return by_states(text, -side * opens)

@@ -16,10 +16,23 @@ from rockeom.symbolic.mode import Mode
 Columns = tuple[str, ...]
 """Names of the values that a function fills `out` with."""
 
+_AXES = {2: "Horizontal and vertical", 3: "First and second horizontal, and vertical"}
+_INERTIA = {2: "moment of inertia", 3: "inertia tensor, row by row,"}
+_PLACE = {
+    2: "x, y [m] and clockwise rotation [rad]",
+    3: "x, y, z [m] and rotation matrix, by rows,",
+}
+"""Words of a structure's axes, by their number."""
+
+
+def _entries(inertia: sp.Expr | sp.MatrixBase) -> tuple[sp.Expr, ...]:
+    return tuple(sp.Matrix([[inertia]]))
+
 
 def outputs(text: Text) -> dict[str, Columns]:
     """Add all of them; returns the tables that name the columns of `out`."""
     model = text.model
+    axes = len(model.shaking)
     columns = {
         "ENERGIES": _named(
             text,
@@ -37,8 +50,8 @@ def outputs(text: Text) -> dict[str, Columns]:
     _named(
         text,
         "momentum(mode, y, p, out)",
-        "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
-        lambda mode: dict(zip("xy", momentum(mode), strict=True)),
+        f"{_AXES[axes]} momentum of all masses [kg m/s] into out ({axes},).",
+        lambda mode: dict(zip("xyz", momentum(mode), strict=False)),
     )
     _in_order(
         text,
@@ -49,12 +62,15 @@ def outputs(text: Text) -> dict[str, Columns]:
     _in_order(
         text,
         "masses(mode, y, p, out)",
-        "Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out.",
-        lambda mode: [*(e for b in mode.bodies for e in (b.mass, b.inertia)), mode.gravity],
+        f"Mass and {_INERTIA[axes]} of each body, as in POSITIONS, and then gravity, into out.",
+        lambda mode: [
+            *(e for b in mode.bodies for e in (b.mass, *_entries(b.inertia))),
+            mode.gravity,
+        ],
     )
     _in_order(
         text,
-        "powers(mode, y, p, ax, ay, out)",
+        f"powers(mode, y, p, {text.shaking}, out)",
         """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.""",
         lambda mode: expressions.powers(model, mode),
@@ -66,7 +82,7 @@ def reactions(text: Text) -> Columns:
     """Add the forces in declared modes."""
     return _named(
         text,
-        "reactions(mode, y, p, ax, ay, out)",
+        f"reactions(mode, y, p, {text.shaking}, out)",
         "Forces of the ground [N] into out, in the order of REACTIONS.",
         lambda mode: expressions.forces(text.model, mode),
     )
@@ -112,8 +128,12 @@ def _positions(text: Text) -> dict[str, Columns]:
     _in_order(
         text,
         "positions(mode, y, p, out)",
-        "Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one.",
-        lambda mode: (e for place in expressions.places(model, mode).values() for e in place[1:]),
+        f"Place {_PLACE[len(model.shaking)]} of each of POSITIONS into out, one by one.",
+        lambda mode: (
+            e
+            for place in expressions.places(model, mode).values()
+            for e in (*place.at, *place.rotation)
+        ),
     )
     shown = expressions.places(model, model.modes[0])
     return {

@@ -27,8 +27,8 @@ def _accelerations(text: Text) -> None:
         call = _accelerations_of(text, i, mode)
         chosen.append((text.test(mode), [*text.side(indent, mode), f"{indent}return {call}"]))
     text.function(
-        f"accelerations(mode, {', '.join(text.states)}, p, ax, ay)",
-        "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
+        f"accelerations(mode, {', '.join(text.states)}, p, {text.shaking})",
+        f"Accelerations of the coordinates under ground accelerations {text.shaking} [m/s2].",
         branched(chosen, otherwise=True),
         "@inlined",
     )
@@ -56,7 +56,7 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
         for c in text.model.coordinates
     ]
     side = "s, " if mode.has_side else ""
-    call = f"{name}({side}{', '.join(text.states)}, p, ax, ay)"
+    call = f"{name}({side}{', '.join(text.states)}, p, {text.shaking})"
     text.function(
         call,
         f"Accelerations of the coordinates {which}.",
@@ -76,8 +76,9 @@ def _rates(text: Text) -> None:
         ]
 
     text.by_mode(
-        "rates(mode, y, p, ax, ay, dy)",
-        "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
+        f"rates(mode, y, p, {text.shaking}, dy)",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
+        "into dy (N,).",
         branch,
         after=[
             found_accelerations(text, "    "),
@@ -91,7 +92,7 @@ def _opening_acceleration(text: Text) -> None:
     rotation = text.model.rotation
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
     text.function(
-        "opening_acceleration(mode, y, p, ax, ay)",
+        f"opening_acceleration(mode, y, p, {text.shaking})",
         "Acceleration with which a mode's gap would open from closed and at rest.",
         [
             found_accelerations(text, "    ", zero=(theta, theta_dot)),
@@ -104,4 +105,4 @@ def _opening_acceleration(text: Text) -> None:
 def found_accelerations(text: Text, indent: str, zero: Collection[int] = ()) -> str:
     """The line that finds the accelerations at y; the states numbered in `zero` are zero."""
     states = ("0.0" if i in zero else f"y[{i}]" for i in range(2 * text.n))
-    return f"{indent}found = accelerations(mode, {', '.join(states)}, p, ax, ay)"
+    return f"{indent}found = accelerations(mode, {', '.join(states)}, p, {text.shaking})"

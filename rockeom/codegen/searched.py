@@ -18,6 +18,7 @@ from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
 from rockeom.codegen.text import Text, branched
 from rockeom.codes import (
+    BOUND,
     CONTACT_LAWS,
     FRICTIONLESS,
     LANDING,
@@ -36,7 +37,7 @@ from rockeom.symbolic.contacts import Contact, ContactDeclaration
 from rockeom.symbolic.elements import Ending, Tie
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_Y, Body, InternalVariable
+from rockeom.symbolic.model import Body, InternalVariable
 from rockeom.symbolic.modes.balance import force_of, free_motion
 from rockeom.symbolic.modes.derived import VERBS, DerivedMode
 from rockeom.symbolic.modes.every import Modes, Pattern
@@ -62,7 +63,7 @@ class Written:
         """The call of a function of a mode."""
         side = ["s"] if mode.sided else []
         sigmas = [f"sigma_{i}" for i in range(len(mode.slipping))]
-        arguments = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
+        arguments = [*side, *sigmas, *self.text.switches, *self.text.states, "p", self.text.shaking]
         return f"{function}({', '.join(arguments)})"
 
     def read(self, mode: DerivedMode, indent: str) -> list[str]:
@@ -103,7 +104,7 @@ def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]
     _motions(written)
     _forces(written)
     _guards(written)
-    if search.of.switching:
+    if search.of.switching or not search.of.contacts:
         _jump(written)
     _free_motion(written)
     _points(written)
@@ -132,7 +133,7 @@ def _suffix(mode: DerivedMode) -> str:
     """End of the names of the functions of a mode."""
     points = zip(mode.model.contacts, mode.states, strict=True)
     words = [f"{c.name}_{VERBS[state]}" for c, state in points if state]
-    return "_".join(words) or "flight"
+    return "_".join(words) or mode.model.open_mode
 
 
 def _words(mode: DerivedMode) -> str:
@@ -152,24 +153,24 @@ def _motions(written: Written) -> None:
         branches.append([*written.read(mode, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
-        f"rates_of_states(mode, {states}, p, ax, ay)",
+        f"rates_of_states(mode, {states}, p, {text.shaking})",
         "Rates of all states, in their order.",
         _chosen("equations", "EQUATIONS", branches),
         "@inlined",
     )
     items = ", ".join(f"found[{n + i}]" for i in range(n))
     text.function(
-        f"accelerations(mode, {states}, p, ax, ay)",
-        "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
+        f"accelerations(mode, {states}, p, {text.shaking})",
+        f"Accelerations of the coordinates under ground accelerations {text.shaking} [m/s2].",
         [
-            f"    found = rates_of_states(mode, {states}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {states}, p, {text.shaking})",
             f"    return ({items},)",
         ],
         "@inlined",
     )
     for i, _ in quick(written.modes):
         text.function(
-            f"accelerations_{i}(mode, {states}, p, ax, ay)",
+            f"accelerations_{i}(mode, {states}, p, {text.shaking})",
             f"The same where {_words(derived[i])}.",
             [
                 *written.read(derived[i], "    "),
@@ -180,15 +181,16 @@ def _motions(written: Written) -> None:
         )
     of_states = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
-        "rates(mode, y, p, ax, ay, dy)",
-        "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
+        f"rates(mode, y, p, {text.shaking}, dy)",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
+        "into dy (N,).",
         [
-            f"    found = rates_of_states(mode, {of_states}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {of_states}, p, {text.shaking})",
             *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
         ],
     )
     text.function(
-        "opening_acceleration(mode, y, p, ax, ay)",
+        f"opening_acceleration(mode, y, p, {text.shaking})",
         "Zero: whether a gap opens is found among the candidates.",
         ["    return 0.0"],
         "@inlined",
@@ -232,7 +234,7 @@ def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
     of_motion, solved = solve(
         text, mode.mass_matrix, mode.forcing, out, "    ", gravity
     )  # fmt: skip
-    first = {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    first = {TOTAL_GRAVITY.name: gravity + text.model.shaking[-1]}
     body = text.evaluate("rates", of_motion | entries, "    ", first, hoist=True, states=False)
     call = written.call(name, mode)
     text.function(
@@ -307,6 +309,8 @@ def guards_of(of: ContactDeclaration, pattern: Pattern) -> list[Guard]:
             guards.append(Guard(STICKING, i))
         elif state == STICK and all(of.contacts[j].law.friction is not None for j in group):
             guards += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
+    first = len(of.contacts) + len(of.switching)
+    guards += [Guard(BOUND, first + i) for i in range(len(of.bounds))]
     return [*guards, *_of_elements(of)]
 
 
@@ -339,7 +343,7 @@ def _guards(written: Written) -> None:
     text, patterns = written.text, written.modes.patterns
     branches = [_guards_of(written, pattern) for pattern in patterns]
     text.function(
-        "guards(mode, y, p, ax, ay, g)",
+        f"guards(mode, y, p, {text.shaking}, g)",
         """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
@@ -371,6 +375,9 @@ def _guards_of(written: Written, pattern: Pattern) -> list[str]:
             points = [j for j, f in enumerate(pattern.shared) if f == i and pattern.states[j]]
             cone = sum(mode.friction(j) * sp.Symbol(f"normal_{j}") for j in points)
             targets[place] = cone - guard.sign * sp.Symbol(f"friction_{i}")
+        elif guard.kind == BOUND:
+            bound = [*of.bounds.values()][i - len(of.contacts) - len(of.switching)]
+            targets[place] = _here(bound, pattern, mode)
     switches = _Switches(of)
     targets |= {name: _here(e, pattern, mode) for name, e in switches.values.items()}
     lines += text.evaluate("guards", targets, indent, hoist=True, states=False)
@@ -478,7 +485,7 @@ def _free_motion(written: Written) -> None:
     targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
     targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
     text.function(
-        "free_motion(y, p, ax, ay, mode, matrix, forces)",
+        f"free_motion(y, p, {text.shaking}, mode, matrix, forces)",
         "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
         written.text.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
     )
@@ -553,29 +560,34 @@ def _reactions(written: Written) -> Columns:
     text, of = written.text, written.of
     patterns = written.modes.patterns
     points, elements = of.contacts, of.switching
-    columns = ["horizontal_reaction"]
+    totals = total_reaction(of.free)
+    totals = totals if len(totals) > 2 else totals[:1]  # in the plane the points have the vertical
+    columns = [f"{way}_reaction" for way in ("horizontal", "transverse", "vertical")[: len(totals)]]
     columns += [f"{c.name}_reaction" for c in points]
     columns += [f"{e.name}_{e.outputs[0]}" for e in elements]
     columns += [f"{c.name}_friction" for c in points]
     states = ", ".join(f"y[{i}]" for i in range(2 * text.n))
-    total = total_reaction(of.free)[0]
-    body = [f"    found = accelerations(mode, {states}, p, ax, ay)"]
+    body = [f"    found = accelerations(mode, {states}, p, {text.shaking})"]
     body += [
         f"    {text.name(c.acceleration)} = found[{i}]"
         for i, c in enumerate(of.coordinates)
-        if c.acceleration in total.free_symbols
+        if any(c.acceleration in total.free_symbols for total in totals)
     ]
-    presses = {f"out[{1 + len(points) + i}]": force_of(of, i) for i in range(len(elements))}
+    presses = {
+        f"out[{len(totals) + len(points) + i}]": force_of(of, i) for i in range(len(elements))
+    }
     body += written.text.read_switches("    ")
-    body += text.evaluate("reactions", {"out[0]": total} | presses, "    ")
+    body += text.evaluate(
+        "reactions", {f"out[{i}]": e for i, e in enumerate(totals)} | presses, "    "
+    )
     if points:
-        behind = 1 + len(points) + len(elements)
+        behind = len(totals) + len(points) + len(elements)
         branches = [
             [*written.found_forces(a, " " * 8), *_shares(written, a, behind)] for a in patterns
         ]
         body += _chosen("pattern", "PATTERNS", branches)
     text.function(
-        "reactions(mode, y, p, ax, ay, out)",
+        f"reactions(mode, y, p, {text.shaking}, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.""",
@@ -654,6 +666,7 @@ def _tables(written: Written) -> list[str]:
         f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
         *([f"TIES = {ties!r}"] if (ties := _ties(of)) else []),
+        *(table("BOUNDS", of.bounds) if of.bounds else []),
         *(["HELD_ACROSS = True"] if of.is_held_across else []),
         *_impact_law(of),
         "TRANSITIONS = ()",
@@ -771,6 +784,7 @@ def _of_guards(
         return rows(first, entry, filler, longest_row)
 
     legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
+    legend += ", 8 bound" if of.bounds else ""
     return [
         *numbers_of(f"KINDS = (  # of each guard of each mode; {legend}", lambda r: r.kind, SWITCH),
         *numbers_of(

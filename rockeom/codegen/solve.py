@@ -6,10 +6,9 @@ import sympy as sp
 
 from rockeom.codegen.text import Text
 from rockeom.symbolic.algebra import MOST_TERMS, SIDE, number_of_terms, slopes, tidy
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 TOTAL_GRAVITY = sp.Symbol("total_gravity")
-"""g + a_y."""
+"""Gravity and the vertical acceleration of the ground, g + a_y in the plane."""
 
 
 def solve(
@@ -27,11 +26,11 @@ def solve(
     Unknowns whose coefficients are constants are eliminated here, symbolically: divisions by
     them are hoisted, and what cancels is gone. Where `gravity` is given, the right-hand
     side is collected by it and by the ground acceleration: weight and vertical shaking act
-    alike, as g + a_y.
+    alike, as their sum.
     """
 
     entries, solved = eliminated(text, matrix, right, out, indent, gravity)
-    first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + GROUND_Y}
+    first = {} if gravity is None else {TOTAL_GRAVITY.name: gravity + text.model.shaking[-1]}
     lines = text.evaluate(function, entries, indent, first, hoist=True, states=states)
     return lines + solved
 
@@ -146,12 +145,12 @@ def eliminate(
 
 
 def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
-    """An expression as constants by the states and by ax, or None where it is no such sum.
+    """An expression as constants by states and horizontal shaking, or None if it is no such sum.
 
     The processor then waits for one product and one sum after the last state is known.
     """
     states = [x for c in text.model.coordinates for x in (c.position, c.velocity)]
-    variables = [*states, GROUND_X]
+    variables = [*states, *text.model.shaking[:-1]]
     if any(not part.free_symbols.isdisjoint(states) for part in expr.atoms(sp.Function, sp.Pow)):
         return None  # as of most
     factors = []
@@ -167,20 +166,21 @@ def by_states(text: Text, expr: sp.Expr) -> sp.Expr | None:
 
 
 def _collected(text: Text, expr: sp.Expr, gravity: sp.Expr) -> sp.Expr:
-    """Collected by angles, then by g + a_y and by the horizontal ground acceleration.
+    """Collected by angles, then by g and the vertical ground acceleration, and by horizontal ones.
 
     The factor of a sine is ready while the processor still works on the sine.
     """
     if number_of_terms(expr) > MOST_TERMS:
         return expr
-    expr = sp.expand(expr.subs(GROUND_Y, TOTAL_GRAVITY - gravity))
+    *horizontal, vertical = text.model.shaking
+    expr = sp.expand(expr.subs(vertical, TOTAL_GRAVITY - gravity))
     moving = (f for f in expr.atoms(sp.sin, sp.cos) if not text.fixed(f))
 
     def by_side(e: sp.Expr) -> sp.Expr:
         return sp.factor_terms(_collect(e, [SIDE]))
 
     def by_ground(e: sp.Expr) -> sp.Expr:
-        return _collect(e, [TOTAL_GRAVITY, GROUND_X], by_side)
+        return _collect(e, [TOTAL_GRAVITY, *horizontal], by_side)
 
     return _collect(expr, sorted(moving, key=sp.default_sort_key), by_ground)
 

@@ -21,6 +21,7 @@ def tables(
         *_words(model),
         *(line for name, values in columns.items() for line in table(name, values)),
         "",
+        *_axes(model),
         f"N_STATES = {2 * text.n}",
         *([f"N_INTERNAL = {len(model.internal)}"] if model.internal else []),
         f"ROTATION = {text.index(model.rotation.position)}",
@@ -30,6 +31,12 @@ def tables(
         "from rockeom.codes import IMPULSIVE, RATIO",
         *(f"{name} = {i}" for i, name in enumerate(text.mode_constants.values())),
     ]
+
+
+def _axes(model: HybridModel) -> list[str]:
+    """Components of the ground, in the order of arguments; a planar structure has no such table."""
+    across = ("horizontal", "transverse", "vertical")
+    return table("GROUND", across) if len(model.shaking) == len(across) else []
 
 
 def _falls(text: Text) -> list[str]:

@@ -15,7 +15,6 @@ from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD
 
 
@@ -64,6 +63,7 @@ class Text:
     model : what is written; n, its number of coordinates, the integrals of internal variables
         among them, behind the others.
     mode_constants, states, parameters : their Python names; of modes, by the names of the model.
+    shaking : names of the accelerations of the ground, in the order of arguments.
     lines : the functions so far. operations : (before, after) common subexpressions were shared,
         by function.
     """
@@ -79,10 +79,12 @@ class Text:
         self.user_names = names.taken
         self.names: dict[sp.Symbol, sp.Symbol] = {
             SIDE: sp.Symbol("s"),
-            GROUND_X: sp.Symbol("ax"),
-            GROUND_Y: sp.Symbol("ay"),
             LOAD: sp.Symbol("load"),
         }
+        shaking = [f"a{axis}" for axis, _ in zip("xyz", model.shaking, strict=False)]
+        self.shaking = ", ".join(shaking)
+        for a, name in zip(model.shaking, shaking, strict=True):
+            self.names[a] = sp.Symbol(name)
         for p, name in zip(model.parameters, self.parameters, strict=True):
             self.names[p.symbol] = sp.Symbol(name)
         for i, c in enumerate(coordinates):

@@ -10,7 +10,9 @@ refused by file and line.
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
     loop      `for i in unrolled(range(N))` is written out round by round: i is a constant in each
-    tuple     of any of these; indices are constants. One that is an argument is not assigned
+    tuple     of any of these; indices are constants. One that is an argument is not assigned.
+              `tuple(x for i in unrolled(range(N)))` has an item of each round; in a call of a
+              function, `f(*items)`, each item is an argument
     record    a NamedTuple: a tuple whose items are read by name, as record.field. Fields have the
               types of their annotations; `record._replace(field=value)` is another one
     array     of int or float, in C order, never out of bounds: indices are not checked, unless the
@@ -38,7 +40,7 @@ where the text is a fused one and the processor can.
 import ast
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -416,7 +418,7 @@ class Function:
             return self._replaced(node, function.value)
         if isinstance(function, ast.Name) and (fields := fields_of(self.names.get(function.id))):
             return self._record(node, function.id, fields)
-        if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
+        if node.keywords:
             self.refuse(node, "arguments are given by their place")
         if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
             return self._library_call(node, function.value.id, function.attr)
@@ -424,15 +426,18 @@ class Function:
             self.refuse(node, "only functions with a name of their own are called")
         name = function.id
         called = self.program.defined(name, self.definition.text)
+        if called is None and name == "tuple":
+            return self._tuple_of_rounds(node)
         if called is None and name in _BUILT_IN:
             if len(node.args) != _TAKES.get(name, 1) and (
                 name not in ("max", "min") or not node.args
             ):
                 self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
-            return _BUILT_IN[name](self.ir, *map(self._value, node.args))
+            return _BUILT_IN[name](self.ir, *(value for _, value in self._spread(node)))
         if called is None:
             self.refuse(node, f"no function {name} is known")
-        values = [self._value(a) for a in node.args]
+        arguments = self._spread(node)
+        values = [value for _, value in arguments]
         types = tuple(value.type for value in values)
         symbol, returns = self.program.function(called, types, node, self.definition)
         how = ""
@@ -442,10 +447,32 @@ class Function:
         else:  # a record that no call sees in its place can be kept in registers
             values = [
                 self.ir.in_place(value) if self._is_record(a, value.type) else value
-                for a, value in zip(node.args, values, strict=True)
+                for a, value in arguments
             ]
         operands = [operand for value in values for operand in self.ir.operands_of(value)]
         return self.ir.call(symbol, returns, operands, how, self._destination(node, returns))
+
+    def _spread(self, node: ast.Call) -> list[tuple[ast.expr, Value]]:
+        """The arguments of a call and their values; a starred tuple is as many as it has items."""
+        arguments: list[tuple[ast.expr, Value]] = []
+        for argument in node.args:
+            if isinstance(argument, ast.Starred):
+                whole = self._value(argument.value)
+                if not isinstance(whole.type, Tuple):
+                    self.refuse(argument, f"a tuple has a star, and no {described(whole.type)}")
+                items = map(partial(self.ir.item, whole), range(len(whole.type.items)))
+                arguments += [(argument, item) for item in items]
+            else:
+                arguments.append((argument, self._value(argument)))
+        return arguments
+
+    def _tuple_of_rounds(self, node: ast.Call) -> Value:
+        """A tuple with an item of each round of an unrolled loop."""
+        match node.args:
+            case [ast.GeneratorExp(elt=item, generators=[ast.comprehension(ifs=[]) as loop])]:
+                if (of := _unrolled(loop)) is not None:
+                    return a_tuple(self._rounds(loop, of, lambda: self._value(item)))
+        self.refuse(node, "a tuple is written out, or tuple(x for i in unrolled(range(N)))")
 
     def _destination(self, node: ast.Call, returns: Type) -> str:
         """The place of a tuple that a call may write to at once, or none."""
@@ -682,24 +709,31 @@ class Function:
         self._block(body)
         return self.loops.pop().broken
 
-    def _rounds(self, statement: ast.For, of: ast.expr) -> None:
-        """A loop over constants, written out round by round."""
-        numbers = self._maybe(of)
-        leaves = any(isinstance(node, ast.Break | ast.Continue) for node in ast.walk(statement))
-        if numbers is None or leaves or statement.orelse:
-            self.refuse(statement, "an unrolled loop goes over all its constants, without `else`")
-        if not isinstance(statement.target, ast.Name) or statement.target.id in self.locals:
-            self.refuse(statement, "an unrolled loop has one name, and no variable has it")
+    def _rounds(
+        self, loop: ast.For | ast.comprehension, of: ast.expr, do: Callable[[], Any]
+    ) -> list[Any]:
+        """The results of the rounds of a loop over constants, in which its name is one of them."""
+        numbers, target, given = self._maybe(of), loop.target, []
+        if numbers is None:
+            self.refuse(of, _ALL_CONSTANTS)
+        if not isinstance(target, ast.Name) or target.id in self.locals:
+            self.refuse(target, "an unrolled loop has one name, and no variable has it")
         outside = self.names
-        for number in numbers:
-            self._know({**outside, statement.target.id: number})
-            self._block(statement.body)
-        self._know(outside)
+        try:
+            for number in numbers:
+                self._know({**outside, target.id: number})
+                given.append(do())
+        finally:
+            self._know(outside)
+        return given
 
     def _do_for(self, statement: ast.For) -> None:
         call, target = statement.iter, statement.target
         if (of := _unrolled(statement)) is not None:
-            self._rounds(statement, of)
+            leaves = any(isinstance(n, ast.Break | ast.Continue) for n in ast.walk(statement))
+            if leaves or statement.orelse:
+                self.refuse(statement, _ALL_CONSTANTS)
+            self._rounds(statement, of, lambda: self._block(statement.body))
             return
         if not isinstance(call, ast.Call) or ast.unparse(call.func) != "range" or statement.orelse:
             self.refuse(statement, "a loop is `for name in range(...)`, without `else`")
@@ -732,6 +766,7 @@ class Function:
         self.ir.jump(self.loops[-1].again)
 
 
+_ALL_CONSTANTS = "an unrolled loop goes over all its constants, without `else`"
 _NO_REMAINDER = "// and % are for numbers that clearly cannot be negative"
 
 
@@ -758,7 +793,7 @@ def _is_place(value: Value) -> bool:
     return isinstance(value.type, Array) and value.type.dimensions == 0
 
 
-def _unrolled(loop: ast.For) -> ast.expr | None:
+def _unrolled(loop: ast.For | ast.comprehension) -> ast.expr | None:
     """The constants that a loop goes over which is marked `unrolled`, or None."""
     match loop.iter:
         case ast.Call(func=ast.Name("unrolled"), args=[of]):

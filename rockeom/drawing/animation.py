@@ -21,7 +21,7 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 from rockeom.drawing import film, free_body, style
-from rockeom.drawing.checks import check_drawn
+from rockeom.drawing.checks import check_drawn, check_planar
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
 from rockeom.motion.ground_motion import GroundMotion
@@ -80,7 +80,8 @@ def animate(
     Raises
     ------
     ValueError
-        For times outside the response, more than 2000 frames, and other files.
+        For times outside the response, more than 2000 frames, other files, and a structure that
+        moves in space.
     FileNotFoundError
         For .mp4 without ffmpeg.
 
@@ -101,6 +102,7 @@ def animate(
     >>> animation = plots.animate(run, "block.gif")  # doctest: +SKIP
     """
     check_drawn("run", run, Response)
+    check_planar(run.structure)
     if path is not None:
         check_file(path)  # before the frames are drawn
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)

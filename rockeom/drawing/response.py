@@ -11,6 +11,7 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
+from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import WORLD
 from rockeom.numbers.checks import number, require
 from rockeom.simulation.response import Response
@@ -124,6 +125,8 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
     rows += [(_ties, 1.0)] if run.ties else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
+    if in_space(run.structure.module):
+        return rows
     return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
@@ -132,6 +135,10 @@ def _ground(ax: Axes, run: Response) -> None:
     across, up = ("along", "normal") if run.slope else ("horizontal", "vertical")
     ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label=across)
     ax.set_ylabel("ground\nacceleration [g]")
+    if run.transverse is not None:
+        transverse = run["transverse_ground_acceleration"] / scale
+        ax.plot(run.t, transverse, color=style.OTHERS[1], lw=0.7, label="transverse")
+        style.legend_above(ax)
     if run.vertical is not None or (run.slope and run.ground_axes == WORLD):
         vertical = run["vertical_ground_acceleration"] / scale
         ax.plot(run.t, vertical, color=style.OTHERS[0], lw=0.7, label=up)

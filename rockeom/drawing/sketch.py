@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.checks import check_drawn
+from rockeom.drawing.checks import check_drawn, check_planar
 from rockeom.motion.slope import slope_angle
 from rockeom.numbers.checks import number
 from rockeom.structures.base import Structure
@@ -49,7 +49,7 @@ def draw_structure(
     Raises
     ------
     ValueError
-        For a state that cannot be.
+        For a state that cannot be, and for a structure that moves in space.
     TypeError
         For anything but a structure.
 
@@ -67,6 +67,7 @@ def draw_structure(
     >>> figure = plots.draw_structure(block, state={"theta": 0.1})  # rad
     """
     check_drawn("structure", structure, Structure)
+    check_planar(structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     ax = ax or style.new_figure(2.6, 3.4).add_subplot()

@@ -9,7 +9,7 @@ import ast
 import textwrap
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -18,11 +18,13 @@ from rockeom.compiler.modules import Modules, Text, module_text, parsed, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
+from rockeom.integrator.linking import ground_text
 from rockeom.integrator.schema import (
     PRELUDE,
     PROVIDED,
     GeneratedModule,
     impact_law,
+    in_space,
     name_of_law,
 )
 from rockeom.integrator.texts import source
@@ -54,7 +56,7 @@ _LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 """Functions that only a sketch, a check of parameters or the integrator needs."""
 
 _OF_POINTS = '''import numpy as np
-from rockeom.integrator.transitions.candidates import pass_on, same_ground
+from rockeom.integrator.transitions.candidates import pass_on
 from rockeom.integrator.transitions.points import CONTACT_SIZE
 
 
@@ -66,7 +68,8 @@ def impact(mode, guard, y, p, ax, ay, out):
     none fits, -2 where several do that move differently.
     """
     contact, ground = np.empty(CONTACT_SIZE), np.empty(5)
-    same_ground(ax, ay, 1e-9, ground)
+    ground[0], ground[1], ground[2], ground[3] = ax, ay, ax, ay
+    ground[4] = 1e-9  # s, for which the ground stays so
     follows, _ = pass_on(mode, guard, 1e-3, y, p, ground, 0.0, contact, out)
     return follows
 '''
@@ -80,6 +83,20 @@ def sine_cosine(x):
     return math.sin(x), math.cos(x)
 '''
 """In place of the polynomials, which hold only where nothing is rounded otherwise."""
+
+
+class _Spread(ast.NodeTransformer):
+    """Writes out both items of tuples with a star, which are accelerations in the plane."""
+
+    def visit_Starred(self, node: ast.Starred) -> Any:
+        return [ast.Subscript(node.value, ast.Constant(i)) for i in range(2)]
+
+
+def _written(name: str) -> Text:
+    """A module of the integrator, without stars."""
+    text = module_text(name)
+    tree = _Spread().visit(ast.parse(text.source))
+    return replace(text, source=ast.unparse(ast.fix_missing_locations(tree)))
 
 
 @dataclass(frozen=True)
@@ -215,6 +232,14 @@ def code(module: GeneratedModule, language: str) -> str:
     """
     if not isinstance(language, str):
         raise InputTypeError("language", language).choose(LANGUAGES)
+    if in_space(module):
+        raise InputError("structure", of=module.NAME).says(
+            "it moves in space, which is not written in other languages"
+        )
+    if hasattr(module, "BOUNDS"):
+        raise InputError("structure", of=module.NAME).says(
+            "its motion ends at bounds, which are not written in other languages"
+        )
     if impact_law(module) not in (NEWTON, MOREAU):
         raise InputError("structure", of=module.NAME).says(
             f"its contacts have the impact law {name_of_law(module)!r}, which is not written in "
@@ -231,12 +256,12 @@ def code(module: GeneratedModule, language: str) -> str:
 def _described(module: GeneratedModule) -> Described:
     prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
     own = Text(f"{module.NAME}.py", source(module))
-    texts, provided = [*prelude, own], [own]
+    texts, provided = [*prelude, own], [own, ground_text(module)]
     if getattr(module, "N_POINTS", 0):  # and does not move through elements alone
         texts.append(Text("impact", _OF_POINTS))
         which = "newton" if impact_law(module) == NEWTON else "impacts"
-        provided.append(module_text(f"rockeom.integrator.transitions.{which}"))
-    modules = Modules({PRELUDE: prelude, PROVIDED: tuple(provided)})
+        provided.append(_written(f"rockeom.integrator.transitions.{which}"))
+    modules = Modules({PRELUDE: prelude, PROVIDED: tuple(provided)}, _written)
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, modules, entries)
     for name in entries:

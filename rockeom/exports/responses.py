@@ -297,6 +297,7 @@ class _File:
             end=self.array("end", n),
             slope=definition.get("slope", 0.0),
             ground_axes=definition.get("ground_axes", SLOPE),
+            transverse=self.motion("transverse", definition.get("transverse")),
         )
 
 

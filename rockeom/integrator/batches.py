@@ -17,11 +17,12 @@ from rockeom.codes import (
     STEPS,
     STEPS_KEPT,
 )
-from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
+from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined, unrolled
 from rockeom.integrator.extremes import leans_most, own_time
-from rockeom.integrator.ground import ground_acceleration, rows_after, segment_for
+from rockeom.integrator.ground import ground_accelerations, rows_after, segment_for, tables
 from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
 from rockeom.integrator.provided import (
+    AXES,
     KINDS,
     N_STATES,
     ROTATION_RATE,
@@ -31,7 +32,7 @@ from rockeom.integrator.provided import (
     reactions,
     standing,
 )
-from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.records import Batch, Case, Motions, Recorder
 from rockeom.integrator.tolerances import AT_REST, REST_AFTER_MOTION
 
 
@@ -118,6 +119,7 @@ def integrate_many(first: int, batch: Batch) -> int:
         case = case_of(
             batch, n, batch.t_end[n],
             batch.horizontal[batch.h_rows[n, 0] : batch.h_rows[n, 1]],
+            batch.transverse[batch.t_rows[n, 0] : batch.t_rows[n, 1]],
             batch.vertical[batch.v_rows[n, 0] : batch.v_rows[n, 1]],
         )  # fmt: skip
         recorder = Recorder(
@@ -136,6 +138,7 @@ def integrate_many(first: int, batch: Batch) -> int:
         if code == COMPLETED and batch.quiet_from[n] <= batch.t_end[n]:
             free = case._replace(
                 horizontal=rows_after(case.horizontal),
+                transverse=rows_after(case.transverse),
                 vertical=rows_after(case.vertical),
                 h_max=np.inf,
                 fixed=0,
@@ -150,11 +153,11 @@ def integrate_many(first: int, batch: Batch) -> int:
 
 
 @inlined
-def case_of(batch, n, t_end, horizontal, vertical):
+def case_of(batch, n, t_end, horizontal, transverse, vertical):
     """Motion n of a batch, with its segments, until a time."""
     return Case(
-        t_end, horizontal, vertical, batch.p[n], batch.law[n], batch.ratio[n], batch.rtol,
-        batch.atol, batch.h_max, batch.fixed, batch.fallen[n], batch.rest_tolerance,
+        t_end, horizontal, transverse, vertical, batch.p[n], batch.law[n], batch.ratio[n],
+        batch.rtol, batch.atol, batch.h_max, batch.fixed, batch.fallen[n], batch.rest_tolerance,
         batch.max_impacts, batch.max_steps,
     )  # fmt: skip
 
@@ -203,15 +206,16 @@ def add_gain(before, after, arriving, leaving, p, energy, gains):
 
 @entry
 def evaluate(
-    modes: Ints, t: Floats, states: Floats2, horizontal: Floats2, vertical: Floats2, p: Floats,
-    energy: Floats2, force: Floats2, motion: Floats2,
+    modes: Ints, t: Floats, states: Floats2, shaken: Motions, p: Floats, energy: Floats2,
+    force: Floats2, motion: Floats2,
 ):  # fmt: skip
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
-    nx = ny = 0
+    motions, numbers = tables(shaken), tuple(0 for _ in unrolled(range(AXES)))
     for n in range(t.shape[0]):
-        nx, gx = segment_for(horizontal, nx, t[n])
-        ny, gy = segment_for(vertical, ny, t[n])
-        ax, ay = ground_acceleration(gx, t[n]), ground_acceleration(gy, t[n])
+        ground = tuple(
+            segment_for(motions[axis], numbers[axis], t[n]) for axis in unrolled(range(AXES))
+        )
+        numbers = tuple(ground[axis].number for axis in unrolled(range(AXES)))
         energies(modes[n], states[n], p, energy[n])
-        reactions(modes[n], states[n], p, ax, ay, force[n])
+        reactions(modes[n], states[n], p, *ground_accelerations(ground, t[n]), force[n])
         kinematics(modes[n], states[n], p, motion[n])

@@ -14,6 +14,7 @@ from rockeom.integrator.provided import (
     N_STATES,
     NODES,
     ROTATION,
+    STILL,
     opening_acceleration,
     overturns_at,
 )
@@ -143,5 +144,5 @@ def leans_most(extremes, fallen, p):
 
 def own_time(mode, y, p):
     """Time in which a rocking motion goes on, 1/sqrt(acceleration); 0 where nothing drives it."""
-    a = abs(opening_acceleration(mode, y, p, 0.0, 0.0))
+    a = abs(opening_acceleration(mode, y, p, *STILL))
     return 1.0 / math.sqrt(a) if a > 0.0 else 0.0

@@ -1,9 +1,10 @@
 """A structure that stands and cannot move: how long it stays so."""
 
 from rockeom.codes import LIFTING, SLIPPING, UPLIFT
-from rockeom.compiler.decorators import inlined
-from rockeom.integrator.ground import ground_acceleration
+from rockeom.compiler.decorators import inlined, unrolled
+from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import (
+    AXES,
     GUARDS,
     KINDS,
     N_PARTS,
@@ -31,17 +32,18 @@ def cannot_move(mode, rate, y, p):
 
 
 @inlined
-def stands_until(mode, t, end, y, p, gx, gy, g):
+def stands_until(mode, t, end, y, p, ground, g):
     """Whether a structure that cannot move stays on both its feet while linear segments last.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
     both ends decide.
     """
-    if gx[2] != 0.0 or gy[2] != 0.0:
-        return False
+    for axis in unrolled(range(AXES)):
+        if ground[axis].row[2] != 0.0:
+            return False
     for turn in range(2):
         tau = end if turn == 1 else t
-        guards(mode, y, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
+        guards(mode, y, p, *ground_accelerations(ground, tau), g)
         size = 0.0
         for n in range(GUARDS[mode]):
             size += abs(g[n])

@@ -1,6 +1,8 @@
-"""The ground motion: accelerations by the segments of its table.
+"""The ground motions: accelerations by the segments of their tables.
 
-A segment is a row (start, end, kind, constants), see `rockeom.motion.segments`.
+A segment is a row (start, end, kind, constants), see `rockeom.motion.segments`. There are as many
+motions as axes, two in the plane and three in space, and the last is the vertical one. `shaking`,
+here and elsewhere, is the tuple of their accelerations at one time.
 """
 
 import math
@@ -8,9 +10,10 @@ import math
 import numpy as np
 
 from rockeom.codes import WITH_CONSTANT
-from rockeom.compiler.decorators import inlined
+from rockeom.compiler.decorators import everywhere, inlined, unrolled
 from rockeom.generated.prelude import ROUNDER
-from rockeom.integrator.provided import STAGE_TIMES
+from rockeom.integrator.provided import AXES, N_ALL_STAGES, STAGE_TIMES
+from rockeom.integrator.records import Segment
 from rockeom.integrator.tolerances import JUMP_OF_GROUND
 
 
@@ -70,13 +73,32 @@ def ground_acceleration(row, t):
 
 @inlined
 def ground_accelerations(ground, t):
-    """(ax, ay) by the segments that hold."""
-    return ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    """The accelerations of the ground by the segments that hold."""
+    return tuple(ground_acceleration(ground[axis].row, t) for axis in unrolled(range(AXES)))
+
+
+@everywhere
+def shaking_at(k, first, apart):
+    """The accelerations of the ground, kept in an array at these distances from one another."""
+    if AXES == 3:
+        return k[first], k[first + apart], k[first + 2 * apart]
+    else:
+        return k[first], k[first + apart]
 
 
 @inlined
-def ground_at_stages(row, t, h, first, last, out, at):
-    """Ground accelerations at the stages from `first` to before `last` of a step, to out[at + j].
+def ground_at_stages(ground, t, h, first, last, out, at):
+    """Ground accelerations at the stages from `first` to before `last` of a step.
+
+    Those at stage j go to out[at + j], those along the next axis as far behind as there are stages.
+    """
+    for axis in unrolled(range(AXES)):
+        motion_at_stages(ground[axis].row, t, h, first, last, out, at + axis * N_ALL_STAGES)
+
+
+@inlined
+def motion_at_stages(row, t, h, first, last, out, at):
+    """The same along one axis.
 
     They do not wait for the state, so that the compiler may find several at once.
     """
@@ -85,10 +107,10 @@ def ground_at_stages(row, t, h, first, last, out, at):
         for j in range(first, last):
             out[at + j] = start + STAGE_TIMES[j] * change
     else:
-        ground_at_stages_of_a_pulse(row, t, h, first, last, out, at)
+        pulse_at_stages(row, t, h, first, last, out, at)
 
 
-def ground_at_stages_of_a_pulse(row, t, h, first, last, out, at):
+def pulse_at_stages(row, t, h, first, last, out, at):
     if row[2] == 1.0:
         angle, turn, size = row[4] * (t - row[0]) + row[5], row[4] * h, row[3]
         for j in range(first, last):
@@ -103,13 +125,44 @@ QUIET = (0.0, np.inf, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @inlined
+def tables(case):
+    """The tables of the ground's motions, also those of a record with derivatives."""
+    if AXES == 3:
+        return case.horizontal, case.transverse, case.vertical
+    else:
+        return case.horizontal, case.vertical
+
+
+@inlined
+def ground_at(t, case):
+    """The segments that hold at a time."""
+    motions = tables(case)
+    return tuple(segment_at(motions[axis], 0, t) for axis in unrolled(range(AXES)))
+
+
+@inlined
+def ground_from(ground, t, case):
+    """The segments that hold at t and after it, from these on."""
+    motions = tables(case)
+    return tuple(
+        segment_at(motions[axis], ground[axis].number, t) for axis in unrolled(range(AXES))
+    )
+
+
+@inlined
+def first_end(ground):
+    """When the first of the segments ends."""
+    return min(*tuple(ground[axis].row[1] for axis in unrolled(range(AXES))))
+
+
+@inlined
 def segment_at(table, n, t):
-    """(n, row) of a motion's table that holds at t and after it, from row n on; quiet behind it."""
+    """The segment of a table that holds at t and after it, from row n on; quiet behind it."""
     while n < table.shape[0] and t >= table[n, 1]:
         n += 1
     if n == table.shape[0]:
-        return n, QUIET
-    return n, segment_of(table, n)
+        return Segment(n, QUIET)
+    return Segment(n, segment_of(table, n))
 
 
 @inlined
@@ -123,7 +176,7 @@ def segment_for(table, n, t):
     """As `segment_at`, but the very end of a motion still belongs to its last segment."""
     last = table.shape[0] - rows_after(table).shape[0] - 1
     if last >= 0 and t == table[last, 1]:
-        return last, segment_of(table, last)
+        return Segment(last, segment_of(table, last))
     return segment_at(table, n, t)
 
 
@@ -135,9 +188,16 @@ def rows_after(table):
 
 
 @inlined
-def straight(gx, gy):
-    """Whether the ground moves by a straight line, and not up or down; see full_contact_guards."""
-    return gx[2] == 0.0 and gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
+def straight(ground):
+    """Whether the ground moves by a straight line along its first axis, and not along others.
+
+    See full_contact_guards.
+    """
+    line = ground[0].row[2] == 0.0
+    for axis in unrolled(range(1, AXES)):
+        row = ground[axis].row
+        line = line and row[2] == 0.0 and row[3] == 0.0 and row[4] == 0.0
+    return line
 
 
 @inlined

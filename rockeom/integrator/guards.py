@@ -158,8 +158,8 @@ def stays_held(mode, t, h, ground, case, a):
 
     They are sampled on the quintics through both ends, see `stays_open`.
     """
-    if FULL_CONTACT >= 0 and mode == FULL_CONTACT and straight(ground.x, ground.y):
-        return stays_on_both_feet(t, h, a.y, a.y_new, a.k, case.p, ground.x)
+    if FULL_CONTACT >= 0 and mode == FULL_CONTACT and straight(ground):
+        return stays_on_both_feet(t, h, a.y, a.y_new, a.k, case.p, ground[0].row)
     n, w, g, b, quintics = N_STATES // 2, a.w, a.g, a.b, a.stack
     quintics_through_ends(h, a.y, a.y_new, a.k, quintics)
     for m in range(8):
@@ -184,7 +184,7 @@ def stays_held(mode, t, h, ground, case, a):
     return True
 
 
-def stays_on_both_feet(t, h, y, y_new, k, p, gx):
+def stays_on_both_feet(t, h, y, y_new, k, p, row):
     """The same for guards that are sums of the state and of ground that moves in a straight line.
 
     The coefficients of such a sum are the sums of those of the quintics, and of their slopes.
@@ -192,7 +192,7 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
     n = N_STATES // 2
     quintics, w, g = np.empty(8 * (N_STATES // 2)), np.empty(N_STATES), np.empty(N_GUARDS + N_PARTS)
     quintics_through_ends(h, y, y_new, k, quintics)
-    rate, ground, change = 1.0 / h, ground_acceleration(gx, t), 0.2 * h * gx[4]
+    rate, ground, change = 1.0 / h, ground_acceleration(row, t), 0.2 * h * row[4]
     least, most, total = np.inf, 0.0, 0.0
     w[ROTATION] = w[ROTATION_RATE] = 0.0
     for j in range(6):
@@ -224,8 +224,7 @@ def beside_gap(mode, guard, there, away):
 @inlined
 def guards_at(mode, t, y, p, ground, g):
     """The guards of a mode in a state at a time of the ground's segments, into g."""
-    ax, ay = ground_accelerations(ground, t)
-    guards(mode, y, p, ax, ay, g)
+    guards(mode, y, p, *ground_accelerations(ground, t), g)
 
 
 def guard_polynomials(mode, t, h, ground, case, a):
@@ -262,23 +261,23 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
     """
     first = Fall(NEVER, -1, 0.0, False, False)
     b = a.b
-    ax, ay = ground_accelerations(ground, t)
+    shaking = ground_accelerations(ground, t)
     for i in range(GUARDS[mode]):
         at_event = just_closed(closed, i)
         if i == landed or (landed >= 0 and at_event):
             continue
-        starts_closed = at_event or closed_but_for_rounding(mode, i, ax, ay, h, case, a)
+        starts_closed = at_event or closed_but_for_rounding(mode, i, shaking, h, case, a)
         noise = 0.0
         if starts_closed:
-            noise = rounding(mode, i, h, a.y, case.p, ax, ay, b)
-            noise = max(noise, grain_of(mode, i, ax, ay, h, b, 8, case, a))
+            noise = rounding(mode, i, h, a.y, case.p, shaking, b)
+            noise = max(noise, grain_of(mode, i, shaking, h, b, 8, case, a))
         place, row = fall_of_guard(mode, i, starts_closed, noise, a)
         # a guard that is closed by the same event, and opens, falls later if at all
         beside = starts_closed and not at_event and place * h <= instant
         if not place < first.place or (beside and rises_first(b, 8 * row, noise)):
             continue
         largest = size(b, 8 * row)
-        if largest <= grain_of(mode, i, ax, ay, h, b, 8, case, a):
+        if largest <= grain_of(mode, i, shaking, h, b, 8, case, a):
             continue  # it hovers: nothing but rounding errors
         touches = not rocking(mode) and abs(b[8 * row]) <= SAMPLED * largest
         first = Fall(
@@ -298,12 +297,12 @@ def is_whole(mode, guard):
 
 
 @inlined
-def closed_but_for_rounding(mode, guard, ax, ay, h, case, a):
+def closed_but_for_rounding(mode, guard, shaking, h, case, a):
     """Whether a guard is below zero at the start by rounding: an event before closed it, too."""
     start = a.b[8 * guard]
     if not start < 0.0 or not is_whole(mode, guard) or rocking(mode):
         return False
-    near = grain_of(mode, guard, ax, ay, h, a.b, 8, case, a)
+    near = grain_of(mode, guard, shaking, h, a.b, 8, case, a)
     if KINDS[mode][guard] == IMPACT:
         near = GAP_ON_LANDING * case.fallen
     return start >= -near
@@ -330,8 +329,8 @@ def settle(mode, t, h, closed, ground, case, a):
     due = -1
     moved = False
     w, g, rate = a.w, a.g, a.k
-    ax, ay = ground_accelerations(ground, t)
-    guards(mode, a.y, case.p, ax, ay, g)
+    shaking = ground_accelerations(ground, t)
+    guards(mode, a.y, case.p, *shaking, g)
     for i in range(GUARDS[mode]):
         at_event = just_closed(closed, i)
         kind = KINDS[mode][i]
@@ -341,7 +340,7 @@ def settle(mode, t, h, closed, ground, case, a):
             # look ahead, by some of the errors that the time of an event may have
             moved = True
             tau = max(64.0 * EPS * max(t, h), LOOK_AHEAD * case.rtol * h)
-            rates(mode, a.y, case.p, ax, ay, rate)
+            rates(mode, a.y, case.p, *shaking, rate)
             for n in range(N_STATES):
                 w[n] = a.y[n] + tau * rate[n]
             guards_at(mode, t + tau, w, case.p, ground, g)
@@ -349,7 +348,7 @@ def settle(mode, t, h, closed, ground, case, a):
             due = i
     if due >= 0:
         value = g[due]
-        if value >= -grain_of(mode, due, ax, ay, 0.0, g, 1, case, a):
+        if value >= -grain_of(mode, due, shaking, 0.0, g, 1, case, a):
             return -1
     return due
 
@@ -366,12 +365,12 @@ def opens_soon(mode, index, t, h, ground, case, a, noise):
         for i in range(n):
             w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
             w[n + i] = y[n + i] + tau * k[n + i]
-        ax, ay = ground_accelerations(ground, t + tau)
-        rates(mode, w, case.p, ax, ay, later)
+        shaking = ground_accelerations(ground, t + tau)
+        rates(mode, w, case.p, *shaking, later)
         for i in range(n):
             w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
             w[n + i] += 0.5 * tau * (later[n + i] - k[n + i])
-        guards(mode, w, case.p, ax, ay, g)
+        guards(mode, w, case.p, *shaking, g)
         if g[index] > noise:
             return True
         tau /= 32.0
@@ -410,8 +409,7 @@ def overlooks(mode, t, h, ground, case, a, at_end):
         x = 1.0 - part if at_end else part
         tau = t + x * h
         dense_at(a.coefficients, x, w)
-        ax, ay = ground_accelerations(ground, tau)
-        rates(mode, w, case.p, ax, ay, rate)
+        rates(mode, w, case.p, *ground_accelerations(ground, tau), rate)
         for i in range(n, N_STATES):
             slope, _ = slope_at(a.coefficients, x, i)
             lacks = part * abs(h * rate[i] - slope)

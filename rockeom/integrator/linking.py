@@ -14,6 +14,7 @@ from rockeom.integrator.schema import (
     PROVIDED,
     GeneratedModule,
     angles,
+    ground_axes,
     has_points,
     impact_law,
 )
@@ -80,6 +81,7 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
     """How the modes of a structure follow one another, and what the texts of that ask of it."""
     bounces = getattr(generated, "N_POINTS", 0) > 0  # and does not move through elements alone
     which = [read(f"{INTEGRATOR}.transitions.{n}") for n in (_SEARCHED if bounces else _DECLARED)]
+    which.append(ground_text(generated))
     if not has_points(generated):
         return [Text("what follows from a structure", "N_POINTS = CONTACT_SIZE = 0\n"), *which]
     facts = f"from {INTEGRATOR}.transitions.points import CONTACT_SIZE\n"
@@ -87,6 +89,11 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
     law = "newton" if impact_law(generated) == NEWTON else "impacts"
     which.append(read(f"{INTEGRATOR}.transitions.{law}"))
     return [Text("what follows from a structure", facts), *which]
+
+
+def ground_text(generated: GeneratedModule) -> Text:
+    """How many axes the ground has."""
+    return Text("the ground", f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n")
 
 
 def _step(

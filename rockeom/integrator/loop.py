@@ -46,16 +46,17 @@ from rockeom.codes import (
     TIME,
     TOO_MANY_IMPACTS,
 )
-from rockeom.compiler.decorators import Floats, Ints, entry, inlined
+from rockeom.compiler.decorators import Floats, Ints, entry, inlined, unrolled
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.extremes import falls_at, may_fall, widen, widen_within, widens
 from rockeom.integrator.full_contact import cannot_move, stands_until
 from rockeom.integrator.ground import (
-    ground_acceleration,
+    first_end,
     ground_accelerations,
+    ground_at,
+    ground_from,
     jumps,
     sampling_step,
-    segment_at,
     straight,
 )
 from rockeom.integrator.guards import (
@@ -79,6 +80,7 @@ from rockeom.integrator.polynomials import (
     shorten,
 )
 from rockeom.integrator.provided import (
+    AXES,
     CONTACT_SIZE,
     ERROR_EXPONENT,
     EXTRAPOLATES,
@@ -112,7 +114,6 @@ from rockeom.integrator.recorder import record_event, record_step
 from rockeom.integrator.records import (
     Arrays,
     Case,
-    Ground,
     Motion,
     Recorder,
     Step,
@@ -135,7 +136,7 @@ TURN = 20_000  # steps after which a call returns, so that Python may answer an 
 
 # Places in the loop's scratch array
 _K = 0
-_W = _K + N_ALL_STAGES * (N_STATES + 2)
+_W = _K + N_ALL_STAGES * (N_STATES + AXES)
 _Y_NEW = _W + N_STATES
 _AFTER = _Y_NEW + N_STATES
 _POWERS = _AFTER + N_STATES
@@ -171,13 +172,13 @@ def integrate(
     a = arrays_of(y, rate, scratch)
     motion = resumed(status, clock)
     ground = ground_at(motion.t, case)
-    ax, ay = ground_accelerations(ground, motion.t)
+    shaking = ground_accelerations(ground, motion.t)
     begins = motion.taken == 0 and motion.impacts == 0 and motion.rate_stale
-    if begins and not initial_mode_is_one(motion.mode, y, case.p, ax, ay):
+    if begins and not initial_mode_is_one(motion.mode, y, case.p, shaking):
         return SEVERAL_SOLUTIONS
     turn = motion.taken + TURN
     while True:
-        if motion.t >= ground.x[1] or motion.t >= ground.y[1]:
+        if motion.t >= first_end(ground):
             ground, jumped = next_segments(ground, motion.t, case)
             if jumped:  # a call that ends where a segment does must tell the next one
                 motion = motion._replace(rate_stale=True, guard_due=True)
@@ -187,7 +188,7 @@ def integrate(
             if motion.taken >= case.max_steps and error == -1.0:
                 motion = motion._replace(outcome=STALLED)
                 break
-            if motion.t >= ground.x[1] or motion.t >= ground.y[1]:
+            if motion.t >= first_end(ground):
                 continue  # the other table's segment ends there, too
         if not motion.t < case.t_end:
             break
@@ -240,14 +241,6 @@ def arrays_of(y, rate, scratch):
 
 
 @inlined
-def ground_at(t, case):
-    """The segments that hold at a time."""
-    n_x, x = segment_at(case.horizontal, 0, t)
-    n_y, y = segment_at(case.vertical, 0, t)
-    return Ground(n_x, x, n_y, y)
-
-
-@inlined
 def resumed(status, clock):
     """The motion where the last call left it."""
     return Motion(
@@ -292,12 +285,11 @@ def suspend(motion, status, clock, rate, a):
 @inlined
 def next_segments(ground, t, case):
     """(ground, jumped): the segments that hold from now on, and whether the acceleration jumps."""
-    n_x, x = segment_at(case.horizontal, ground.n_x, t)
-    n_y, y = segment_at(case.vertical, ground.n_y, t)
-    jumped = jumps(ground_acceleration(ground.x, t), ground_acceleration(x, t))
-    return Ground(n_x, x, n_y, y), jumps(
-        ground_acceleration(ground.y, t), ground_acceleration(y, t)
-    ) or jumped
+    follows, jumped = ground_from(ground, t, case), False
+    before, after = ground_accelerations(ground, t), ground_accelerations(follows, t)
+    for axis in unrolled(range(AXES)):
+        jumped = jumps(before[axis], after[axis]) or jumped
+    return follows, jumped
 
 
 @inlined
@@ -326,9 +318,9 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
     unjudged, jumped, now = -1.0, False, ground
     most, extremes = min(turn, case.max_steps - 1), recorder.extremes
     while taken <= most:
-        if t >= now.x[1] or t >= now.y[1]:
+        if t >= first_end(now):
             now, jumped = next_segments(now, t, case)
-        if jumped or not t < case.t_end or not (rocking(mode) or straight(now.x, now.y)):
+        if jumped or not t < case.t_end or not (rocking(mode) or straight(now)):
             break
         last = end_of_segments(now, case)
         proposed, equal = proposed_step(h_next, t, motion.refined_to, now, case)
@@ -337,18 +329,18 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
         if cut:
             h = last - t
         taken += 1
-        error = take_step(mode, t, h, y, p, now.x, now.y, case.rtol, case.atol, k, y_new)
+        error = take_step(mode, t, h, y, p, now, case.rtol, case.atol, k, y_new)
         gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
         open_ = stays_open(gap, False)
         if FULL_CONTACT >= 0 and mode == FULL_CONTACT:
-            open_ = stays_on_both_feet(t, h, y, y_new, k, p, now.x)
+            open_ = stays_on_both_feet(t, h, y, y_new, k, p, now[0].row)
         ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_
         if not ordinary or may_fall(case.fallen, gap, h, y, y_new, k, p):
             unjudged = error
             break
         if records_extremes(recorder):
             if widens(extremes, h, y, y_new, k):
-                dense_output(mode, t, h, y, p, now.x, now.y, k, a.coefficients)
+                dense_output(mode, t, h, y, p, now, k, a.coefficients)
                 widen_within(extremes, a.coefficients)
             widen(extremes, y_new)
         h_next = proposed
@@ -370,7 +362,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
 
 @inlined
 def end_of_segments(ground, case):
-    return min(ground.x[1], ground.y[1], case.t_end)
+    return min(first_end(ground), case.t_end)
 
 
 @inlined
@@ -388,9 +380,7 @@ def settle_mode(motion, ground, case, a):
         guard = settle(mode, t, h, motion.closed, ground, case, a)
         if guard >= 0:
             return settled, guard, h
-    rates(
-        mode, a.y, case.p, ground_acceleration(ground.x, t), ground_acceleration(ground.y, t), a.k
-    )
+    rates(mode, a.y, case.p, *ground_accelerations(ground, t), a.k)
     h_next = motion.h_next
     if h_next == 0.0:
         h_next = first_step(mode, t, a.y, a.k, case.p, ground, case.rtol, case.atol, a.w, a.after)
@@ -407,12 +397,12 @@ def plan(motion, ground, case, a):
     proposed = np.inf if still else h_next
     h = min(proposed, case.h_max)
     if not rocking(mode):
-        h = min(h, sampling_step(ground.x), sampling_step(ground.y))
+        h = min(h, *tuple(sampling_step(ground[axis].row) for axis in unrolled(range(AXES))))
     h = min(h, longest_turn(a.y))
     longest = min(proposed, end - t)
     cut = t + 1.1 * h >= end
     stands = still and end - t <= case.h_max
-    stands = stands and stands_until(mode, t, end, a.y, case.p, ground.x, ground.y, a.g)
+    stands = stands and stands_until(mode, t, end, a.y, case.p, ground, a.g)
     if cut or stands:
         h, cut = end - t, True
     if still:
@@ -436,7 +426,9 @@ def plan(motion, ground, case, a):
 @inlined
 def proposed_step(h_next, t, refined_to, ground, case):
     """(length, whether it is an equal one), by the control of the error or by the segment."""
-    span = min(ground.x[1] - ground.x[0], ground.y[1] - ground.y[0])
+    span = np.inf
+    for axis in unrolled(range(AXES)):
+        span = min(span, ground[axis].row[1] - ground[axis].row[0])
     equal = case.fixed > 0 and t >= refined_to and span < np.inf
     return span / case.fixed if equal else h_next, equal
 
@@ -460,8 +452,8 @@ def take(motion, ground, step, error, case, a):
     if step.still:
         return step._replace(error=0.0, taken=taken)
     new = take_step(
-        motion.mode, motion.t, step.h, a.y, case.p, ground.x, ground.y, case.rtol,
-        case.atol, a.k, a.y_new,
+        motion.mode, motion.t, step.h, a.y, case.p, ground, case.rtol, case.atol, a.k,
+        a.y_new,
     )  # fmt: skip
     return step._replace(error=new, taken=taken)
 
@@ -531,8 +523,7 @@ def land(motion, ground, step, case, a):
         move = time_to_landing(motion, step, case, a)
         near = 0.1 if step.corrections == 0 else 0.01
     else:
-        ax, ay = ground_accelerations(ground, tau)
-        guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
+        guards(motion.mode, a.y_new, case.p, *ground_accelerations(ground, tau), a.g)
         move = -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0
     least = max(2.0 * EPS * tau, PLACED * case.rtol * step.h)
     small = math.sqrt(max(LEAST_OF_QUINTIC, min(PLACED_BY_QUINTIC, case.rtol))) * step.h
@@ -567,7 +558,7 @@ def look_within(motion, ground, step, gap, open_, case, a, recorder):
     closes = acts_beside(mode, step.landed, a.y_new, a.y)
     wanted = records_steps(recorder) or turns or overturns or leaves or closes
     if not step.still and (wanted or not (open_ or step.landed >= 0)):
-        dense_output(mode, t, step.h, a.y, case.p, ground.x, ground.y, a.k, a.coefficients)
+        dense_output(mode, t, step.h, a.y, case.p, ground, a.k, a.coefficients)
         if step.more != 0.0:
             lengthen(step, a)
     h = step.h + step.more

@@ -1,6 +1,6 @@
 """Rows of the record of a motion, and the mode that begins with an event."""
 
-from rockeom.codes import LIFTING, UPLIFT
+from rockeom.codes import LIFTING, OUT_OF_BOUNDS, UPLIFT
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.provided import KINDS, N_STATES
 
@@ -44,3 +44,11 @@ def enter_mode(motion, guard, mode, closed, a, recorder):
         guard_due=True,
         n_events=motion.n_events + 1,
     )
+
+
+@inlined
+def end_at_bound(motion, guard, a, recorder):
+    """Record where a motion reaches a bound, and end it there."""
+    for i in range(N_STATES):
+        a.after[i] = a.y[i]
+    return enter_mode(motion, guard, motion.mode, -1, a, recorder)._replace(outcome=OUT_OF_BOUNDS)

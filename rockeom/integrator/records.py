@@ -8,29 +8,41 @@ Row = tuple[float, float, float, float, float, float, float]
 """A segment of the ground: start, end, kind, and its constants, see `rockeom.motion.segments`."""
 
 
-class Ground(NamedTuple):
-    """The segments of the ground motion that hold now, and their rows in the tables."""
+class Segment(NamedTuple):
+    """The segment of a ground motion that holds now: its number in the table, and its row."""
 
-    n_x: int
-    x: Row
-    n_y: int
-    y: Row
+    number: int
+    row: Row
+
+
+Ground = tuple[Segment, ...]
+"""The segments of all motions, in the order of `rockeom.integrator.ground.tables`."""
+
+
+class Motions(NamedTuple):
+    """The tables of the ground's motions, see `Case`."""
+
+    horizontal: Floats2
+    transverse: Floats2
+    vertical: Floats2
 
 
 class Case(NamedTuple):
     """Data that stay the same in a motion.
 
-    t_end : the end of the motion. horizontal, vertical (m, 7) : the ground motion, each row start,
-    end, kind and constants of a segment; no step straddles an end, and behind the last one the
-    ground is at rest. p : parameters of the structure, and the table of an impact law behind them.
-    law, ratio : of impacts. rtol, atol (N,) : tolerances of a step. h_max : the longest step.
-    fixed : 0 to control the error, or the number of equal steps in each segment. An equal step
-    whose estimated error is above COARSE is refused, and the rest of its segment is integrated with
-    control of the error. fallen : the overturning angle. rest_tolerance : see `zeno_time`.
+    t_end : the end of the motion. horizontal, transverse, vertical (m, 7) : the ground motion, each
+    row start, end, kind and constants of a segment; no step straddles an end, and behind the last
+    one the ground is at rest; in the plane the transverse one is empty. p : parameters of the
+    structure, and the table of an impact law behind them. law, ratio : of impacts. rtol, atol (N,)
+    : tolerances of a step. h_max : the longest step. fixed : 0 to control the error, or the number
+    of equal steps in each segment. An equal step whose estimated error is above COARSE is refused,
+    and the rest of its segment is integrated with control of the error. fallen : the overturning
+    angle. rest_tolerance : see `zeno_time`.
     """
 
     t_end: float
     horizontal: Floats2
+    transverse: Floats2
     vertical: Floats2
     p: Floats
     law: int
@@ -50,9 +62,9 @@ class Batch(NamedTuple):
 
     status (n, 10), clock (n, 4), states and rates (n, N) : as of `integrate`, at the start, and on
     return at the end. Motion i has the segments from h_rows[i, 0] to h_rows[i, 1] of `horizontal`,
-    and those of v_rows[i] of `vertical`. t_end, quiet_from, law, ratio, fallen (n,), p (n, m).
-    outcome (n,) : FULL, or that of a motion that has ended. extremes (n, 2, N). impact_times (n, k)
-    : of the first k impacts. gains (n, 2) : see `add_gain`.
+    and those of t_rows[i] of `transverse` and v_rows[i] of `vertical`. t_end, quiet_from, law,
+    ratio, fallen (n,), p (n, m). outcome (n,) : FULL, or that of a motion that has ended. extremes
+    (n, 2, N). impact_times (n, k) : of the first k impacts. gains (n, 2) : see `add_gain`.
     """
 
     status: Ints2
@@ -63,6 +75,8 @@ class Batch(NamedTuple):
     quiet_from: Floats
     horizontal: Floats2
     h_rows: Ints2
+    transverse: Floats2
+    t_rows: Ints2
     vertical: Floats2
     v_rows: Ints2
     p: Floats2
@@ -211,8 +225,7 @@ class State(NamedTuple):
     mode: int
     y: Floats
     p: Floats
-    ax: float
-    ay: float
+    shaking: tuple[float, ...]
 
 
 class Rest(NamedTuple):

@@ -13,6 +13,7 @@ from rockeom.integrator.provided import (
     PARTS,
     ROTATION,
     SIDES,
+    STILL,
     guards,
     opening_acceleration,
 )
@@ -46,9 +47,9 @@ def noise_of(mode, index, p, fallen, noise, w, g):
         for j in range(p.shape[0]):
             value = p[j]
             p[j] = value * (1.0 + DIFFERENCE)
-            guards(mode, w, p, 0.0, 0.0, other)
+            guards(mode, w, p, *STILL, other)
             p[j] = value * (1.0 - DIFFERENCE)
-            guards(mode, w, p, 0.0, 0.0, g)
+            guards(mode, w, p, *STILL, g)
             p[j] = value
             for i in range(GUARDS[mode]):
                 change = abs(other[i] - g[i])
@@ -57,7 +58,7 @@ def noise_of(mode, index, p, fallen, noise, w, g):
     return noise[first + index]
 
 
-def rounding(mode, index, h, y, p, ax, ay, b):
+def rounding(mode, index, h, y, p, shaking, b):
     """Size of the rounding errors of a guard that opens from closed.
 
     A gap that opens without speed grows with the third power of time out of accelerations that
@@ -74,5 +75,5 @@ def rounding(mode, index, h, y, p, ax, ay, b):
     acceleration = 0.0
     for other in range(len(SIDES)):
         if SIDES[other] != 0.0:
-            acceleration += abs(opening_acceleration(other, y, p, ax, ay))
+            acceleration += abs(opening_acceleration(other, y, p, *shaking))
     return max(GAP_AT_REST * scale, ACCELERATION_AT_REST * acceleration * h * h)

@@ -13,9 +13,11 @@ class GeneratedModule(Protocol):
     """A structure's tables and functions, as the derivation writes them.
 
     Functions take the number of a mode, a state y (N,), and p, the parameters with the constants
-    that `prepare` computes from them; ax, ay [m/s2] are accelerations of the ground. They fill
-    `out`, in the order of the table that has their name, such as ENERGIES. Their arrays may hold
-    duals and batches, in the module that `rockeom.numbers.functions.for_arrays` makes of this one.
+    that `prepare` computes from them; ax, ay [m/s2] are accelerations of the ground. A structure in
+    space has a table GROUND, and its functions take one acceleration more: ax, ay, az, the vertical
+    one last. They fill `out`, in the order of the table that has their name, such as ENERGIES.
+    Their arrays may hold duals and batches, in the module that
+    `rockeom.numbers.functions.for_arrays` makes of this one.
     """
 
     __name__: str
@@ -65,12 +67,12 @@ class GeneratedModule(Protocol):
     def velocity_ratio(self, p: Any, /) -> Any: ...
     def sizes(self, p: Any, out: Any, /) -> None: ...
     def shapes(self, p: Any, out: Any, /) -> None: ...
-    def rates(self, mode: int, y: Any, p: Any, ax: Any, ay: Any, dy: Any, /) -> None: ...
+    def rates(self, mode: int, y: Any, p: Any, /, *shaking_and_dy: Any) -> None: ...
     def jump(
         self, mode: int, guard: int, law: int, ratio: float, y: Any, p: Any, out: Any, /
     ) -> int: ...
-    def guards(self, mode: int, y: Any, p: Any, ax: Any, ay: Any, g: Any, /) -> None: ...
-    def reactions(self, mode: int, y: Any, p: Any, ax: Any, ay: Any, out: Any, /) -> None: ...
+    def guards(self, mode: int, y: Any, p: Any, /, *shaking_and_g: Any) -> None: ...
+    def reactions(self, mode: int, y: Any, p: Any, /, *shaking_and_out: Any) -> None: ...
     def energies(self, mode: int, y: Any, p: Any, out: Any, /) -> None: ...
     def kinematics(self, mode: int, y: Any, p: Any, out: Any, /) -> None: ...
     def momentum(self, mode: int, y: Any, p: Any, out: Any, /) -> None: ...
@@ -94,9 +96,25 @@ class SearchedModes(GeneratedModule, Protocol):
 
     def points(self, y: Any, p: Any, out: Any, /) -> None: ...
     def point_laws(self, p: Any, out: Any, /) -> None: ...
-    def free_motion(
-        self, y: Any, p: Any, ax: Any, ay: Any, mode: int, matrix: Any, forces: Any, /
-    ) -> None: ...
+    def free_motion(self, y: Any, p: Any, /, *shaking_mode_matrix_forces: Any) -> None: ...
+
+
+def ground_axes(module: Any) -> tuple[str, ...]:
+    """The components of the ground's acceleration in the order of the module's arguments.
+
+    Those of a structure in space are "horizontal", "transverse" and "vertical".
+    """
+    return getattr(module, "GROUND", ("horizontal", "vertical"))
+
+
+def in_space(module: Any) -> bool:
+    """Whether a structure moves in space, and not in a plane."""
+    return len(ground_axes(module)) == 3
+
+
+def still_ground(module: Any) -> tuple[float, ...]:
+    """The accelerations of ground that stands still."""
+    return (0.0,) * len(ground_axes(module))
 
 
 def has_points(module: Any) -> TypeGuard[SearchedModes]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.extremes import own_time
-from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.guards import rocking
 from rockeom.integrator.provided import (
     COARSE,
@@ -37,7 +37,7 @@ def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):
     for i in range(N_STATES):
         w[i] = y[i] + cautious * rate[i]
     tau = t + cautious
-    rates(mode, w, p, ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau), later)
+    rates(mode, w, p, *ground_accelerations(ground, tau), later)
     for i in range(N_STATES):
         scale = cautious * (atol[i] + rtol * abs(y[i]))
         change = max(change, abs(later[i] - rate[i]) / scale)

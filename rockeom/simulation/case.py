@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from rockeom.codes import WITH_CONSTANT
+from rockeom.integrator.schema import has_points, in_space
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
@@ -17,10 +18,11 @@ from rockeom.numbers.batch import values
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, require_type
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
-from rockeom.simulation.ground import Ground, ground_of
+from rockeom.simulation.ground import MOTIONS, Ground, ground_of
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.parameters import named_states
+from rockeom.structures.searched_modes import check_bounds
 from rockeom.structures.slope import standing_on
 
 
@@ -30,7 +32,7 @@ class Problem(NamedTuple):
     mode : number of the mode at the start; y0 (N,) the state there.
     vector : the parameters; table : additions of an impact law to them; law, ratio : of the
         impacts; fallen : overturning angle.
-    horizontal, vertical : segments (m, 7) of the ground motions; end [s];
+    horizontal, transverse, vertical : segments (m, 7) of the ground motions; end [s];
     quiet_from : time from which the ground stands still [s].
     """
 
@@ -42,6 +44,7 @@ class Problem(NamedTuple):
     ratio: float
     fallen: float
     horizontal: np.ndarray
+    transverse: np.ndarray
     vertical: np.ndarray
     end: float
     quiet_from: float
@@ -62,8 +65,8 @@ class Problems(NamedTuple):
     """n cases as the compiled loop takes them, each an item of the first axis; see `Problem`.
 
     p (n, m) : the parameters, the table of an impact law behind them.
-    horizontal, vertical (k, 7) : the tables of all, those of a case from h_rows[i, 0] to
-        h_rows[i, 1] or from v_rows[i, 0] to v_rows[i, 1].
+    horizontal, transverse, vertical (k, 7) : the tables of all, those of a case from h_rows[i, 0]
+        to h_rows[i, 1], as t_rows and v_rows tell of the others.
     """
 
     mode: np.ndarray
@@ -74,6 +77,8 @@ class Problems(NamedTuple):
     fallen: np.ndarray
     horizontal: np.ndarray
     h_rows: np.ndarray
+    transverse: np.ndarray
+    t_rows: np.ndarray
     vertical: np.ndarray
     v_rows: np.ndarray
     end: np.ndarray
@@ -91,6 +96,7 @@ class Problems(NamedTuple):
             np.array([q.ratio for q in cases]),
             np.array([q.fallen for q in cases]),
             *_stacked([q.horizontal for q in cases]),
+            *_stacked([q.transverse for q in cases]),
             *_stacked([q.vertical for q in cases]),
             np.array([q.end for q in cases]),
             np.array([q.quiet_from for q in cases]),
@@ -118,8 +124,8 @@ class Problems(NamedTuple):
         q = problem
         return cls(
             spread(q.mode), columns(q.y0), columns(q.p()), spread(q.law), spread(q.ratio),
-            spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
-            spread(q.quiet_from),
+            spread(q.fallen), *tables(q.horizontal), *tables(q.transverse), *tables(q.vertical),
+            spread(q.end), spread(q.quiet_from),
         )  # fmt: skip
 
     def bits(self, places: Iterable[int]) -> list[list[tuple[str, bytes]]]:
@@ -128,18 +134,19 @@ class Problems(NamedTuple):
 
     def _numbers(self, i: int) -> Iterator[np.ndarray]:
         yield self.horizontal[slice(*self.h_rows[i])]
+        yield self.transverse[slice(*self.t_rows[i])]
         yield self.vertical[slice(*self.v_rows[i])]
         yield from (x[i] for name, x in self._asdict().items() if name not in _OF_TABLES)
 
 
-_OF_TABLES = {"horizontal", "h_rows", "vertical", "v_rows"}
+_OF_TABLES = {*MOTIONS, "h_rows", "t_rows", "v_rows"}
 
 
 class ProblemTangents(NamedTuple):
     """Derivatives of the numbers of a `Problem` along m directions.
 
     y0 (N, m); p (len(problem.p()), m), those of the table behind those of the parameters; ratio,
-    fallen, end, quiet_from (m,); horizontal, vertical (rows, 7, m).
+    fallen, end, quiet_from (m,); horizontal, transverse, vertical (rows, 7, m).
     """
 
     y0: np.ndarray
@@ -147,6 +154,7 @@ class ProblemTangents(NamedTuple):
     ratio: np.ndarray
     fallen: np.ndarray
     horizontal: np.ndarray
+    transverse: np.ndarray
     vertical: np.ndarray
     end: np.ndarray
     quiet_from: np.ndarray
@@ -230,13 +238,16 @@ class Case:
         Slope of the ground, a number [rad] or a text such as "5 deg" or "1 in 20".
     ground_axes : str, optional
         Axes of the ground motions, "slope" or "world".
+    transverse : GroundMotion, optional
+        Second horizontal ground motion, normal to the first one, of a structure in space.
 
     Raises
     ------
     TypeError
         For anything but a structure, a ground motion or a mapping of states.
     InputError
-        For a slope that is none, or not between -90 and 90 degrees.
+        For a slope that is none, or not between -90 and 90 degrees, or below a structure in space,
+        and for a transverse motion of one in the plane.
 
     Examples
     --------
@@ -257,6 +268,7 @@ class Case:
     mode: str | None = None
     slope: Any = 0.0
     ground_axes: str = SLOPE
+    transverse: GroundMotion | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slope", slope_angle(self.slope))
@@ -276,11 +288,23 @@ class Case:
         if isinstance(motion, Recording):
             self._take_components(motion)
         _check_motion("motion", self.motion)
-        if self.vertical is not None:
-            _check_motion("vertical", self.vertical)
+        for name in ("transverse", "vertical"):
+            if getattr(self, name) is not None:
+                _check_motion(name, getattr(self, name))
+        self._check_space()
         if self.initial is not None:
             initial = named_states("initial", self.initial, self.structure.module)
             object.__setattr__(self, "initial", initial)
+
+    def _check_space(self) -> None:
+        """Raise InputError for a transverse motion in the plane, and for a slope in space."""
+        name, spatial = type(self.structure).__name__, in_space(self.structure.module)
+        if self.transverse is not None and not spatial:
+            raise InputError("transverse").says(f"{name} moves in a plane: leave it out")
+        if spatial and not self.ground.is_level:
+            raise InputError("slope", self.slope).says(
+                f"{name} moves in space, and its ground is level: leave the slope out"
+            )
 
     def _take_components(self, recording: Recording) -> None:
         """The motions of a recording; raises TypeError where it leaves open which."""
@@ -328,10 +352,11 @@ class Case:
                     f"initial {name} is {value}: the structure lies on the ground from {fallen:.6g}"
                     f" on; start below{degrees}"
                 )
+        if has_points(structure.module):
+            check_bounds(structure.module, value_of(y0), value_of(structure.vector))
         end = motion.duration if self.duration is None else number("duration", self.duration)
         require(isfinite(end) and end > 0, "", "duration", end, "it must be finite and positive")
         law, ratio = structure.law(self.impact)
-        horizontal, vertical = ground.tables
         quiet = ground.quiet_from
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
@@ -343,8 +368,7 @@ class Case:
             law=law,
             ratio=ratio,
             fallen=structure.overturning_rotation,
-            horizontal=horizontal,
-            vertical=vertical,
+            **ground.tables._asdict(),
             end=end,
             quiet_from=quiet,
         )
@@ -359,13 +383,14 @@ class Case:
         structure, y0 = self.structure, value_of(y0)
         p = value_of(structure.vector)
         m = structure.module_for(y0, p)
-        across, up = self.ground.tables
-        lift = next(_pushes(up), 0.0)
+        tables = self.ground.tables
+        across, *others = (getattr(tables, name) for name in self.ground.motions)
+        shaking = [next(_pushes(table), 0.0) for table in others]
         first = next((push for push in _pushes(across) if push != 0.0), 0.0)
         turn, size, rate = 0.0, 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
             mode = structure.mode_number(y0, None, partial(float, side))
-            m.rates(mode, y0, p, next(_pushes(across)), lift, rate)
+            m.rates(mode, y0, p, next(_pushes(across)), *shaking, rate)
             turn += rate[m.ROTATION_RATE]
             size += sum(map(abs, rate[len(y0) // 2 :]))
         return (np.sign(turn) if abs(turn) > _ROUNDING * size else 0.0) or -np.sign(first)

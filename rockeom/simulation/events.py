@@ -40,7 +40,7 @@ class Event:
     kind : str
         "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
         infinitely many impacts); "break" of a tie. Where contacts may open and slide: "landing",
-        "lifting", "slip begins", "slip ends".
+        "lifting", "slip begins", "slip ends". "bound", where a declaration holds no further.
     mode_before : str
         Name of the mode before.
     mode_after : str
@@ -51,7 +51,8 @@ class Event:
         States after, by name.
     contact : str, optional
         Name of the point that landed, lifted or slipped, or of the element that switched; of
-        several at once joined by "+", such as "left+right". Empty where the modes say all.
+        several at once joined by "+", such as "left+right"; or of the bound. Empty where the modes
+        say all.
     """
 
     time: float

@@ -1,11 +1,14 @@
 """The ground of a case, its motions and its slope, as the equations take it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from rockeom.integrator.records import Motions
+from rockeom.integrator.schema import ground_axes
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import END
 from rockeom.motion.slope import SLOPE, tables_on, turned, weight_on
@@ -14,74 +17,75 @@ from rockeom.structures.evaluation import gravity_of
 STILL = np.empty((0, 7))
 """The table of ground that stands still, which all share."""
 STILL.flags.writeable = False
+MOTIONS = Motions._fields
+"""The names of the motions of which the loop takes tables."""
+PARTS = {"horizontal": "motion"}
+"""The name of the part of a case that is a motion, where it has another one."""
 
 
 @dataclass(frozen=True)
 class Ground:
-    """The ground motions of a case, on a slope [rad] where gravity [m/s2] is that of the structure.
+    """The ground of a case, on a slope [rad] where gravity [m/s2] is that of the structure.
 
-    axes : those of the motions, see `rockeom.motion.slope`. On a slope all is along and normal to
-    it, and what equations take as acceleration of the ground has the part of the weight in it.
-    is_level : whether there is no slope; one of zero that has derivatives is one.
+    motions : by name, in the order of the equations. axes : those of the motions, see
+    `rockeom.motion.slope`. On a slope all is along and normal to it, and what equations take as
+    acceleration of the ground has the part of the weight in it. is_level : whether there is no
+    slope; one of zero that has derivatives is one.
     """
 
-    horizontal: GroundMotion
-    vertical: GroundMotion | None
+    motions: Mapping[str, GroundMotion | None]
     slope: Any = 0.0
     axes: str = SLOPE
     gravity: Any = 0.0
     is_level: bool = True
 
     @property
-    def weight(self) -> tuple[Any, Any]:
-        """(along, normal) accelerations by which equations take the weight on the slope [m/s2]."""
-        return (0.0, 0.0) if self.is_level else weight_on(self.slope, self.gravity)
+    def weight(self) -> tuple[Any, ...]:
+        """Accelerations by which equations take the weight on the slope [m/s2]."""
+        return (0.0,) * len(self.motions) if self.is_level else weight_on(self.slope, self.gravity)
 
-    def shaking(self, t: Any) -> tuple[Any, Any]:
+    def shaking(self, t: Any) -> tuple[Any, ...]:
         """Accelerations of the ground itself at times (n,) or a number [m/s2]."""
-        across = self.horizontal.acceleration(t)
-        up = np.zeros(np.shape(t)) if self.vertical is None else self.vertical.acceleration(t)
+        still = np.zeros(np.shape(t))
+        shaking = (still if m is None else m.acceleration(t) for m in self.motions.values())
         level = self.is_level or self.axes == SLOPE
-        return (across, up) if level else turned(self.slope, across, up)
+        return tuple(shaking) if level else turned(self.slope, *shaking)
 
-    def accelerations(self, t: Any) -> tuple[Any, Any]:
+    def accelerations(self, t: Any) -> tuple[Any, ...]:
         """Accelerations at times as equations take them [m/s2], with the part of the weight."""
-        (along, normal), (across, up) = self.weight, self.shaking(t)
-        return across + along, up + normal
+        return tuple(a + part for a, part in zip(self.shaking(t), self.weight, strict=True))
 
     @cached_property
-    def tables(self) -> tuple[np.ndarray, np.ndarray]:
-        """(m, 7) segments of both, as equations take them."""
-        return self.tables_of(*self.level_tables)
+    def tables(self) -> Motions:
+        """(m, 7) segments of all, as equations take them."""
+        return self.tables_of(*self.level_tables.values())
 
     @property
-    def level_tables(self) -> list[np.ndarray]:
-        """(m, 7) segments of both motions by themselves."""
-        return [STILL if m is None else m.segments for m in self.motions]
+    def level_tables(self) -> dict[str, np.ndarray]:
+        """(m, 7) segments of the motions by themselves."""
+        return {name: STILL if m is None else m.segments for name, m in self.motions.items()}
 
-    def tables_of(self, *tables: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def tables_of(self, *tables: np.ndarray) -> Motions:
         """The same for motions of these segments."""
-        if self.is_level:
-            return tables[0], tables[1]
-        return tables_on(self.slope, self.axes, self.gravity, *tables)
-
-    @property
-    def motions(self) -> tuple[GroundMotion, GroundMotion | None]:
-        return self.horizontal, self.vertical
+        if not self.is_level:
+            tables = tables_on(self.slope, self.axes, self.gravity, *tables)
+        still = dict.fromkeys(MOTIONS, STILL)
+        return Motions(**still | dict(zip(self.motions, tables, strict=True)))
 
     @property
     def quiet_from(self) -> float:
         """Time from which the ground stands still [s]."""
-        return max(m.shaking_ends for m in self.motions if m is not None)
+        return max(m.shaking_ends for m in self.motions.values() if m is not None)
 
 
 def ground_of(case: Any) -> Ground:
     """The ground of a case or a response."""
-    motions = case.motion, case.vertical
+    names = ground_axes(case.structure.module)
+    motions = {name: getattr(case, PARTS.get(name, name)) for name in names}
     if type(case.slope) is float and case.slope == 0.0:
-        return Ground(*motions, axes=case.ground_axes)
+        return Ground(motions, axes=case.ground_axes)
     gravity = gravity_of(case.structure.module, case.structure.vector)
-    return Ground(*motions, case.slope, case.ground_axes, gravity, is_level=False)
+    return Ground(motions, case.slope, case.ground_axes, gravity, is_level=False)
 
 
 def rows_after(table: np.ndarray) -> np.ndarray:

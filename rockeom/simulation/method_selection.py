@@ -50,7 +50,7 @@ def chosen(structure: Structure, problem: Problem, options: SolverOptions) -> Ch
     """The method that the user names, or else the one that suits this motion."""
     if options.method is not None:
         return Choice(options.method, "named")
-    tables = problem.horizontal, problem.vertical
+    tables = problem.horizontal, problem.transverse, problem.vertical
     segments = max(map(len, tables)) * max(options.steps_per_segment, 1)
     rtol, end = options.rtol, problem.end
     if end * structure.fastest_damping > STABLE * MANY:

@@ -50,3 +50,7 @@ class Outcome(StrEnum):
         "hide which of two contacts carries where they are closer than 1e-7 of the structure's "
         "size.",
     )
+    OUT_OF_BOUNDS = (
+        OUTCOMES[codes.OUT_OF_BOUNDS],
+        "It reached a bound of its declaration, beyond which the equations do not hold.",
+    )

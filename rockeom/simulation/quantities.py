@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.integrator.program import Program, program
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, ground_axes, in_space
 from rockeom.numbers.checks import InputError, described, near
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
@@ -25,15 +25,22 @@ from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
 from rockeom.structures.positions import places, positions_of, rotations_of
-from rockeom.structures.units import dimensioned, main_units
+from rockeom.structures.units import dimensioned, ground_accelerations, main_units
 
 PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"
 
-_OF_PLACE = {
-    "displacement": "m", "rise": "m", "velocity": "m/s", "vertical_velocity": "m/s",
-    "acceleration": "m/s2", "vertical_acceleration": "m/s2",
-}  # fmt: skip
+_OF_PLACE = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s2"}
 _OF_BASE = {"base_shear": "N", "overturning_moment": "N m"}
+
+
+def _of_place(module: GeneratedModule) -> list[tuple[str, str]]:
+    """(name, unit) of the quantities of a place: all axes of one after those of another."""
+    return [
+        ("rise" if (axis, what) == ("vertical", "displacement") else f"{prefix}{what}", unit)
+        for what, unit in _OF_PLACE.items()
+        for axis in ground_axes(module)
+        for prefix in ("" if axis == "horizontal" else f"{axis}_",)
+    ]
 
 
 @cache
@@ -47,14 +54,14 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
         PLACES: [
             (f"{_word(place)}_{what}", unit)
             for place in module.POSITIONS
-            for what, unit in _OF_PLACE.items()
+            for what, unit in _of_place(module)
         ],
         ELEMENTS: [
             (f"{name}_{what}", unit)
             for name in module.ELEMENT_NAMES
             for what, unit in OF_ELEMENT.items()
         ],
-        BASE: [*_OF_BASE.items()],
+        BASE: [] if in_space(module) else [*_OF_BASE.items()],
         WORKS: [(name, "J") for name in (*names_of_works(module), *names_of_losses(module))],
         OF_ANGLE: [(RATIO, "-")],
     }
@@ -160,8 +167,8 @@ class Quantities:
             for i, name in enumerate(names)
         }
         quantities["total_energy"] = values[0].sum(axis=1)
-        across, up = self.ground.shaking(t)
-        return quantities | {"ground_acceleration": across, "vertical_ground_acceleration": up}
+        names = ground_accelerations(self.structure.module)
+        return quantities | dict(zip(names, self.ground.shaking(t), strict=True))
 
     def columns(self, names: Sequence[str]) -> Evaluate:
         """The function that gives quantities (n, m) at times, states and modes (n,)."""
@@ -219,28 +226,29 @@ class Quantities:
 
 
 def _places(
-    structure: Structure, mode: np.ndarray, y: np.ndarray, ground: tuple[Any, Any],
-    weight: tuple[float, float],
+    structure: Structure, mode: np.ndarray, y: np.ndarray, ground: tuple[Any, ...],
+    weight: tuple[float, ...],
 ) -> dict[str, np.ndarray]:  # fmt: skip
     """ground : accelerations as equations take them; weight : the part of the weight in them."""
     quantities: dict[str, np.ndarray] = {}
     moved = motion_of_places(structure.module, structure.vector, mode, y, *ground)
-    ax, ay = (of_both - of_weight for of_both, of_weight in zip(ground, weight, strict=True))
+    added = [of_both - of_weight for of_both, of_weight in zip(ground, weight, strict=True)]
+    n = len(added)
     at_rest = _at_rest(structure)
     for i, place in enumerate(structure.module.POSITIONS):
-        (x, rise, _), (vx, vy, _), (accx, accy, _) = moved[:, i]
-        of = (x - at_rest[i, 0], rise - at_rest[i, 1], vx, vy, accx + ax, accy + ay)
-        name = _word(place)
-        quantities |= {f"{name}_{what}": value for what, value in zip(_OF_PLACE, of, strict=True)}
+        at, velocity, acceleration = moved[:, i, :n]
+        apart = [x - at_rest[i, j] for j, x in enumerate(at)]
+        shaken = [x + a for x, a in zip(acceleration, added, strict=True)]
+        named = zip(_of_place(structure.module), (*apart, *velocity, *shaken), strict=True)
+        quantities |= {f"{_word(place)}_{what}": value for (what, _), value in named}
     return quantities
 
 
 def _at_rest(structure: Structure) -> np.ndarray:
-    """(m, 3) of places where all states are zero."""
+    """(m, k) of places where all states are zero."""
     m = structure.module
-    out = np.empty(3 * len(m.POSITIONS))
-    m.positions(0, np.zeros(m.N_STATES), structure.vector, out)  # upright alike in any mode
-    return out.reshape(-1, 3)
+    (at,) = places(m, np.zeros(1, int), np.zeros((1, m.N_STATES)), structure.vector)
+    return at  # upright alike in any mode
 
 
 class Places:
@@ -272,7 +280,7 @@ class Places:
         Returns
         -------
         dict of str to ndarray
-            Positions (n, 2) by name [m].
+            Positions (n, 2), in space (n, 3), by name [m].
         """
         return positions_of(self._structure.module, self._found)
 
@@ -282,7 +290,8 @@ class Places:
         Returns
         -------
         dict of str to ndarray
-            Angles (n,) by name [rad].
+            Angles (n,) by name [rad]; in space matrices (n, 3, 3), from axes of the body to
+            those of the ground.
         """
         return rotations_of(self._structure.module, self._found)
 
@@ -292,7 +301,7 @@ class Places:
         Returns
         -------
         dict of str to ndarray
-            Velocities (n, 2) by name [m/s].
+            Velocities (n, 2), in space (n, 3), by name [m/s].
         """
         _, y, mode = self._rows
         return evaluation.velocities(self._structure.module, self._structure.vector, mode, y)
@@ -303,7 +312,7 @@ class Places:
         Returns
         -------
         dict of str to ndarray
-            Accelerations (n, 2) by name [m/s2].
+            Accelerations (n, 2), in space (n, 3), by name [m/s2].
         """
         t, y, mode = self._rows
         accelerations = evaluation.accelerations(

@@ -122,6 +122,8 @@ class Response:
         Slope of the ground [rad].
     ground_axes : str, optional
         Axes of the ground motions, see `simulate`.
+    transverse : GroundMotion, optional
+        Second horizontal ground motion, of a structure in space.
 
     Examples
     --------
@@ -149,6 +151,7 @@ class Response:
     end: np.ndarray
     slope: float = 0.0
     ground_axes: str = SLOPE
+    transverse: GroundMotion | None = None
 
     __getstate__ = made_of
 
@@ -464,6 +467,8 @@ class Response:
         m = self.structure.module
         if self.outcome in (Outcome.NO_SOLUTION, Outcome.SEVERAL_SOLUTIONS):
             return f" An assumption fails: {assumption(m, self.structure.vector)}."
+        if self.outcome is Outcome.OUT_OF_BOUNDS:
+            return f" The bound is {self.events[-1].contact!r}."
         if fall_is_judged(self):
             return " It is judged to fall: no mode fits any more, and a body turns on outward."
         if not self.overturned or len(self.structure.falls) == 1:

@@ -112,6 +112,8 @@ _VARIABLES: Mapping[str, tuple[str, str, str]] = {
     "end": ("state", "last state", ""),
     "motion_segments": ("motion_segments column", "motion segments", ""),
     "motion_samples": ("motion_samples", "motion samples", ""),
+    "transverse_segments": ("transverse_segments column", "transverse segments", ""),
+    "transverse_samples": ("transverse_samples", "transverse samples", ""),
     "vertical_segments": ("vertical_segments column", "vertical segments", ""),
     "vertical_samples": ("vertical_samples", "vertical samples", ""),
 }  # fmt: skip
@@ -132,7 +134,7 @@ def _arrays(made: Mapping[str, Any]) -> dict[str, np.ndarray]:
     names = ("event_time", "event_kind", "event_state")
     arrays |= zip(names, made["events"].columns, strict=True)
     arrays["end"] = made["end"]
-    for name in ("motion", "vertical"):
+    for name in MOTIONS:
         if (motion := made[name]) is not None:
             arrays[f"{name}_segments"] = motion.segments
             if motion.samples is not None:
@@ -193,6 +195,7 @@ def _netcdf(dataset: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     return made.getvalue()
 
 
+MOTIONS = ("motion", "transverse", "vertical")
 _OF_MOTION = ("name", "source", "dt", "is_vertical")
 
 
@@ -213,7 +216,7 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "quantities": None if isinstance(record, Steps) else list(record.extremes),
         **{
             name: made[name] and {field: getattr(made[name], field) for field in _OF_MOTION}
-            for name in ("motion", "vertical")
+            for name in MOTIONS
         },
     }
 

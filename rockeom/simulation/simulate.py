@@ -16,7 +16,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, require
 from rockeom.simulation.case import Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
-from rockeom.simulation.ground import STILL, rows_after
+from rockeom.simulation.ground import MOTIONS, STILL, rows_after
 from rockeom.simulation.method_selection import chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
@@ -52,6 +52,7 @@ def simulate(
     keep: str = "all",
     slope: float | str = 0.0,
     ground_axes: str = SLOPE,
+    transverse: GroundMotion | None = None,
 ) -> Response:
     """Simulate a structure under a horizontal (and a vertical) ground motion.
 
@@ -91,6 +92,8 @@ def simulate(
     ground_axes : str, optional
         "slope": the ground motions are along and normal to the slope; "world": they are level and
         upright.
+    transverse : GroundMotion, optional
+        Second horizontal ground motion, normal to the first one, of a structure in space.
 
     Returns
     -------
@@ -128,9 +131,9 @@ def simulate(
     """
     require(keep in KEEP, "", "keep", keep, f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
-    sloping: Any = slope, ground_axes
-    case = structure if isinstance(structure, Case) else Case(structure, *parts, *sloping)
-    if case is structure and any(x is not None for x in parts) | (sloping != (0.0, SLOPE)):
+    others: Any = slope, ground_axes, transverse
+    case = structure if isinstance(structure, Case) else Case(structure, *parts, *others)
+    if case is structure and any(x is not None for x in parts) | (others != (0.0, SLOPE, None)):
         raise InputTypeError("structure").wrong(
             "is a case, which has the other arguments: give others to dataclasses.replace(case, "
             "...)"
@@ -160,7 +163,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     return Response(
         structure, case.motion, case.vertical, case.impact, options, motion.outcome, problem.end,
         statistics, recorder.record(motion.events), Events(structure, motion.events), motion.y,
-        case.slope, case.ground_axes,
+        case.slope, case.ground_axes, case.transverse,
     )  # fmt: skip
 
 
@@ -209,13 +212,14 @@ class _Bench:
         self.events = np.empty(_EVENTS), np.empty((_EVENTS, 4), np.int64), np.empty((_EVENTS, 2, n))
         p, peaks = np.zeros(1), np.empty((0, n))  # bound again; not asked for
         self.integrate = compiled.integrate.bound(
-            self.status, self.clock, self.y, self.rate, 0.0, STILL, STILL, p, 0, 0.0, 0.0,
-            self.atol, 0.0, 0, 0.0, 0.0, 0, 0, *self.steps, *self.events, peaks,
+            self.status, self.clock, self.y, self.rate, 0.0, STILL, STILL, STILL, p, 0, 0.0,
+            0.0, self.atol, 0.0, 0, 0.0, 0.0, 0, 0, *self.steps, *self.events, peaks,
             np.zeros(compiled.SCRATCH),
         )  # fmt: skip
         self.falls = compiled.falls.bound(
-            0, self.y, 0.0, STILL, STILL, p, 0, 0.0, 0.0, self.atol, np.inf, 0, 0.0, 1e-6, 0, 0, 0.0
-        )
+            0, self.y, 0.0, STILL, STILL, STILL, p, 0, 0.0, 0.0, self.atol, np.inf, 0, 0.0, 1e-6,
+            0, 0, 0.0,
+        )  # fmt: skip
         self.at_rest = compiled.at_rest.bound(0, self.y, p)
 
     def run(self, q: Problem, options: SolverOptions, recorder: Recorder | None) -> Integrated:
@@ -224,7 +228,8 @@ class _Bench:
         status[MODE], self.atol[:] = q.mode, options.atol
         integrate = self.integrate
         integrate["t_end"], integrate["h_max"] = q.end, options.max_step
-        integrate["horizontal"], integrate["vertical"] = q.horizontal, q.vertical
+        for name in MOTIONS:
+            integrate[name] = getattr(q, name)
         integrate["fixed"] = options.steps_per_segment
         for bound in (integrate, self.falls):
             bound["p"], bound["law"], bound["ratio"], bound["fallen"] = p, q.law, q.ratio, q.fallen
@@ -242,8 +247,8 @@ class _Bench:
             parts.append(EventColumns(*(a[:noted].copy() for a in self.events)))
         outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
-            self.falls["horizontal"] = rows_after(q.horizontal)
-            self.falls["vertical"] = rows_after(q.vertical)
+            for name in MOTIONS:
+                self.falls[name] = rows_after(getattr(q, name))
             outcome = self._later(p, 0.1 * q.end)
         events = parts[0]
         if len(parts) > 1:

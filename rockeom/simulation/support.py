@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
-from rockeom.integrator.schema import GeneratedModule, has_landings
+from rockeom.integrator.schema import GeneratedModule, has_landings, still_ground
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.extremes import Extremes, extremes, last_crest
 from rockeom.simulation.quantities import Quantities
@@ -337,7 +337,7 @@ def demands_of_landings(
     for (arriving, leaving), near, normal, along, mode in zip(
         landings, closed, points.normal, points.tangential, kinds[:, 1], strict=True
     ):
-        module.free_motion(arriving, p, 0.0, 0.0, mode, matrix, forces)
+        module.free_motion(arriving, p, *still_ground(module), mode, matrix, forces)
         gained = matrix.reshape(n, n) @ (leaving[n:] - arriving[n:])
         rows = np.vstack([normal[near], along[near]])
         (at,) = np.nonzero(near)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 import numpy as np
 
 from rockeom.codes import IMPACT
-from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
+from rockeom.integrator.schema import GeneratedModule, has_landings, in_space, name_of_law
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.motion.slope import slope_angle
 from rockeom.numbers import explained
@@ -27,6 +27,7 @@ from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.structures.slope import OnSlope, on_slope
+from rockeom.structures.units import ground_accelerations
 
 
 def generated_module(name: str) -> GeneratedModule:
@@ -277,7 +278,17 @@ class Structure(metaclass=explained.Constructors):
             return modes_of(m).named_mode(m, mode, y, self.vector)
         return modes_of(m).mode_of(m, y, self.vector, towards)
 
-    def _under(self, ground: tuple[float, float], y: np.ndarray, mode: str | None) -> int:
+    def _shaking(self, along: Any, across: Any, up: Any) -> tuple[Any, ...]:
+        """Accelerations of the ground in the order of the module's arguments."""
+        if in_space(self.module):
+            return along, 0.0 if across is None else across, up
+        if across is not None:
+            raise InputError("transverse_ground_acceleration", across, self.module.NAME).says(
+                f"{self.module.NAME} moves in one plane, and takes no transverse acceleration"
+            )
+        return along, up
+
+    def _under(self, ground: tuple[float, ...], y: np.ndarray, mode: str | None) -> int:
         """Number of the mode; where contacts may slide and open, forces decide, too."""
         m, number = self.module, self.mode_number(y, mode)
         if mode is not None:
@@ -290,6 +301,7 @@ class Structure(metaclass=explained.Constructors):
         ground_acceleration: Any = 0.0,
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
+        transverse_ground_acceleration: Any = None,
     ) -> dict[str, Any]:
         """Accelerations of the coordinates.
 
@@ -308,6 +320,8 @@ class Structure(metaclass=explained.Constructors):
             Name of the mode; by default it follows from the state. Where contacts may slide and
             open it is then the one that the forces lead to: a block at rest slides under an
             acceleration that its friction cannot hold.
+        transverse_ground_acceleration : float or ndarray, optional
+            Second horizontal acceleration of the ground, of a structure in space [m/s2].
 
         Returns
         -------
@@ -327,7 +341,10 @@ class Structure(metaclass=explained.Constructors):
         >>> block.accelerations({"theta": 0.05}, ground_acceleration=2.0)["theta"]  # rad/s2
         -7.0264...
         """
-        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        ground = self._shaking(
+            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        )
+        at = self._at(state, mode, *ground)
         m, p = self.module, self.vector
         rates = evaluation.filled(m, p, "rates", m.N_STATES, at.modes, at.y, *at.ground)
         n = len(self.states) // 2
@@ -339,6 +356,7 @@ class Structure(metaclass=explained.Constructors):
         ground_acceleration: Any = 0.0,
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
+        transverse_ground_acceleration: Any = None,
     ) -> dict[str, np.ndarray]:
         """Accelerations of the places of `positions`, with the ground's.
 
@@ -354,20 +372,25 @@ class Structure(metaclass=explained.Constructors):
             Vertical acceleration of the ground, upwards [m/s2].
         mode : str, optional
             Name of the mode, as for `accelerations`.
+        transverse_ground_acceleration : float or ndarray, optional
+            Second horizontal acceleration of the ground, of a structure in space [m/s2].
 
         Returns
         -------
         dict of str to ndarray
-            Accelerations (..., 2) to the right and up by name [m/s2].
+            Accelerations (..., 2) to the right and up by name, in space (..., 3) [m/s2].
 
         Raises
         ------
         ValueError
             As `accelerations`.
         """
-        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        ground = self._shaking(
+            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        )
+        at = self._at(state, mode, *ground)
         values = evaluation.accelerations(self.module, self.vector, at.modes, at.y, *at.ground)
-        return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
+        return {name: of.reshape(*at.shape, of.shape[-1]) for name, of in values.items()}
 
     def velocities(
         self, state: Mapping[str, Any], mode: str | None = None
@@ -386,7 +409,7 @@ class Structure(metaclass=explained.Constructors):
         Returns
         -------
         dict of str to ndarray
-            Velocities (..., 2) to the right and up by name [m/s].
+            Velocities (..., 2) to the right and up by name, in space (..., 3) [m/s].
 
         Raises
         ------
@@ -402,7 +425,7 @@ class Structure(metaclass=explained.Constructors):
         """
         at = self._at(state, mode)
         values = evaluation.velocities(self.module, self.vector, at.modes, at.y)
-        return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
+        return {name: of.reshape(*at.shape, of.shape[-1]) for name, of in values.items()}
 
     def after_impact(
         self,
@@ -615,6 +638,7 @@ class Structure(metaclass=explained.Constructors):
         ground_acceleration: Any = 0.0,
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
+        transverse_ground_acceleration: Any = None,
     ) -> dict[str, Any]:
         """Horizontal force, and vertical force at each foot, of the ground on the structure.
 
@@ -630,6 +654,8 @@ class Structure(metaclass=explained.Constructors):
             Vertical acceleration of the ground, upwards [m/s2].
         mode : str, optional
             Name of the mode, as for `accelerations`.
+        transverse_ground_acceleration : float or ndarray, optional
+            Second horizontal acceleration of the ground, of a structure in space [m/s2].
 
         Returns
         -------
@@ -649,7 +675,10 @@ class Structure(metaclass=explained.Constructors):
         >>> forces["left_reaction"]
         0.0
         """
-        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        ground = self._shaking(
+            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        )
+        at = self._at(state, mode, *ground)
         return at.shaped(self._values("reactions", at))
 
     def elements(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
@@ -693,9 +722,9 @@ class Structure(metaclass=explained.Constructors):
         Returns
         -------
         dict of str to ndarray
-            Places (..., 2) by name [m]: x to the right and y upwards, in axes that move with the
-            ground, from the origin of the declaration: the middle between the feet at rest, for
-            shipped structures.
+            Places (..., 2) by name [m]: x to the right and y upwards, in space (..., 3), z
+            upwards, in axes that move with the ground, from the origin of the declaration: the
+            middle between the feet at rest, for shipped structures.
 
         Raises
         ------
@@ -724,7 +753,8 @@ class Structure(metaclass=explained.Constructors):
         Returns
         -------
         dict of str to ndarray
-            Angles (...) by name, clockwise [rad].
+            Angles (...) by name, clockwise [rad]; in space matrices (..., 3, 3), from axes of the
+            body to those of the ground.
 
         Raises
         ------
@@ -734,9 +764,10 @@ class Structure(metaclass=explained.Constructors):
         return rotations_of(self.module, self._places(state, mode))
 
     def _places(self, state: Mapping[str, Any], mode: str | None) -> np.ndarray:
-        """(..., m, 3) for a state, or many."""
+        """(..., m, k) for a state, or many."""
         at = self._at(state, mode)
-        return places(self.module, at.modes, at.y, self.vector).reshape(*at.shape, -1, 3)
+        of_states = places(self.module, at.modes, at.y, self.vector)
+        return of_states.reshape(*at.shape, *of_states.shape[1:])
 
     def _values(self, function: str, at: _States) -> dict[str, np.ndarray]:
         return evaluation.at_states(self.module, self.vector, function, at.modes, at.y, *at.ground)
@@ -744,7 +775,7 @@ class Structure(metaclass=explained.Constructors):
     def _at(self, state: Mapping[str, Any], mode: str | None, *ground: Any) -> _States:
         """A state, or many; where the ground's accelerations are given forces decide as well."""
         state = named_states("state", state, self.module)
-        names = ("ground_acceleration", "vertical_ground_acceleration")
+        names = ground_accelerations(self.module)
         shaken = [
             number(n, x) if np.ndim(x) == 0 else array_of(n, x)
             for n, x in zip(names, ground, strict=False)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.codes import UPLIFT
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, still_ground
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
@@ -94,7 +94,7 @@ def mode_under_forces(
     mode: int,
     y: np.ndarray,
     p: np.ndarray,
-    ground: tuple[float, float],
+    ground: tuple[float, ...],
 ) -> int:
     """The mode itself: it follows from the state, whatever the forces are."""
     return mode
@@ -111,7 +111,7 @@ def equilibrium(module: GeneratedModule, p: np.ndarray, rotation: float) -> Equi
             continue
         force, y = _in_mode(m, p, mode, rotation)
         g = np.zeros(m.N_GUARDS + m.N_PARTS)
-        m.guards(mode, y, p, 0.0, 0.0, g)
+        m.guards(mode, y, p, *still_ground(m), g)
         if np.isfinite(force) and g[:count].min() >= -1e-9 * max(1.0, np.abs(g[:count]).max()):
             return force, y
     raise ValueError(f"no equilibrium of {m.NAME} at rotation {rotation}")
@@ -210,7 +210,7 @@ def _margins(module: GeneratedModule, p: np.ndarray, mode: int, y: np.ndarray) -
 
     def guards(state: np.ndarray) -> np.ndarray:
         g = np.zeros(m.N_GUARDS + m.N_PARTS, np.result_type(y, p))
-        m.guards(mode, state, p, 0.0, 0.0, g)
+        m.guards(mode, state, p, *still_ground(m), g)
         return g[: m.GUARDS[mode]]
 
     here = guards(y)

@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, ground_axes, in_space, still_ground
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.functions import for_arrays, of_compounds
 from rockeom.numbers.jet import Jet
+from rockeom.structures.positions import size_of_place
 
 OF_ELEMENT = {"deformation": "m", "force": "N", "energy": "J"}
 """Quantities of each element, and their units."""
@@ -94,41 +95,42 @@ def by_mode(modes: np.ndarray, fill: Callable[[int, np.ndarray], None]) -> None:
 
 def gravity_of(m: Any, p: np.ndarray) -> Any:
     """Gravity in the equations of a module; it has derivatives where parameters have."""
-    out = np.zeros(2 * len(m.POSITIONS) + 1, p.dtype)
-    last = 2 * sum(kind in ("body", "massless") for kind in m.POSITION_KINDS)
+    size = 10 if in_space(m) else 2  # of a mass and its inertia
+    out = np.zeros(size * len(m.POSITIONS) + 1, p.dtype)
+    last = size * sum(kind in ("body", "massless") for kind in m.POSITION_KINDS)
     for_arrays(m, p).masses(0, np.zeros(m.N_STATES), p, out)
     return out[last]
 
 
 def motion_of_places(
-    m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray, ax: Any = 0.0,
-    ay: Any = 0.0,
-) -> np.ndarray:  # fmt: skip
-    """(3, m, 3, n): x, y and rotation of each of POSITIONS, with their first two rates.
+    m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray, *ground: Any
+) -> np.ndarray:
+    """(3, m, k, n): place and rotation of each of POSITIONS, with their first two rates.
 
-    modes (n,), y (n, N), ax and ay, numbers or (n,), of the ground. Relative to the ground.
+    modes (n,), y (n, N). ground : accelerations, numbers or (n,), none where it stands still.
+    Relative to the ground; k, `size_of_place`.
     """
-    rates = filled(m, p, "rates", m.N_STATES, modes, y, ax, ay)
-    moved = jets(m, p, "positions", 3 * len(m.POSITIONS), modes, y, rates)
-    return moved.reshape(3, len(m.POSITIONS), 3, len(y))
+    rates = filled(m, p, "rates", m.N_STATES, modes, y, *(ground or still_ground(m)))
+    size = size_of_place(m)
+    moved = jets(m, p, "positions", size * len(m.POSITIONS), modes, y, rates)
+    return moved.reshape(3, len(m.POSITIONS), size, len(y))
 
 
 def velocities(
     m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """(n, 2) of each place, relative to the ground, by name."""
-    moved = motion_of_places(m, p, modes, y)[1]
-    return {name: place[:2].T for name, place in zip(m.POSITIONS, moved, strict=True)}
+    """(n, 2) of each place, in space (n, 3), relative to the ground, by name."""
+    moved, axes = motion_of_places(m, p, modes, y)[1], len(ground_axes(m))
+    return {name: place[:axes].T for name, place in zip(m.POSITIONS, moved, strict=True)}
 
 
 def accelerations(
-    m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray, ax: Any = 0.0,
-    ay: Any = 0.0,
-) -> dict[str, np.ndarray]:  # fmt: skip
-    """(n, 2) of each place, absolute: with those of the ground, by name."""
-    moved = motion_of_places(m, p, modes, y, ax, ay)[2]
-    ground = np.stack(np.broadcast_arrays(ax, ay, y[:, 0])[:2])
-    return {name: (place[:2] + ground).T for name, place in zip(m.POSITIONS, moved, strict=True)}
+    m: GeneratedModule, p: np.ndarray, modes: np.ndarray, y: np.ndarray, *ground: Any
+) -> dict[str, np.ndarray]:
+    """(n, 2) of each place, in space (n, 3), absolute: with those of the ground, by name."""
+    moved, axes = motion_of_places(m, p, modes, y, *ground)[2], len(ground_axes(m))
+    added = np.stack(np.broadcast_arrays(*(ground or still_ground(m)), y[:, 0])[:axes])
+    return {name: (place[:axes] + added).T for name, place in zip(m.POSITIONS, moved, strict=True)}
 
 
 def elements(

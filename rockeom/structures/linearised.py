@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, still_ground
 
 _MOST_LINEAR = 16
 """Number of modes that are linearised, at most: dampers of a structure with more act in all."""
@@ -51,9 +51,12 @@ def _linear(m: GeneratedModule, p: np.ndarray, first: int) -> Iterator[np.ndarra
     forth, back = np.empty((2, *steps.shape))
     for mode in range(min(len(m.MODES), _MOST_LINEAR)):
         try:
-            for step, after, before in zip(steps, forth, back, strict=True):
-                m.rates(mode, step, p, 0.0, 0.0, after)
-                m.rates(mode, -step, p, 0.0, 0.0, before)
+            with np.errstate(
+                all="ignore"
+            ):  # upright a round base has no inertia against a precession
+                for step, after, before in zip(steps, forth, back, strict=True):
+                    m.rates(mode, step, p, *still_ground(m), after)
+                    m.rates(mode, -step, p, *still_ground(m), before)
         except (ArithmeticError, ValueError):  # beyond the range of numbers, or of a root
             continue
         derivatives = (forth - back).T / 2e-6

@@ -11,7 +11,7 @@ from typing import NamedTuple, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, still_ground
 from rockeom.integrator.texts import load_text, source
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of, require
@@ -26,7 +26,7 @@ def free_states(module: GeneratedModule, p: np.ndarray) -> np.ndarray:
     n = m.N_STATES // 2
     rates = np.zeros(m.N_STATES, p.dtype)
     moving = np.repeat([0.0, 1.0], n)
-    m.rates(m.MODES.index(FULL_CONTACT), moving, p, 0.0, 0.0, rates)
+    m.rates(m.MODES.index(FULL_CONTACT), moving, p, *still_ground(m), rates)
     return np.tile(rates[:n] != 0.0, 2)
 
 
@@ -50,7 +50,7 @@ class Modal:
 
         def rates(y: np.ndarray) -> np.ndarray:
             out = np.zeros(m.N_STATES)
-            m.rates(mode, y, self._p, 0.0, 0.0, out)
+            m.rates(mode, y, self._p, *still_ground(m), out)
             return out[free]
 
         # millimetres and mm/s, or thousandths of whatever a coordinate counts

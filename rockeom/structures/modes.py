@@ -31,7 +31,7 @@ class Modes(Protocol):
         ...
 
     def mode_under_forces(
-        self, module: Any, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float], /
+        self, module: Any, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, ...], /
     ) -> int:
         """The mode in which a state of a mode goes on under accelerations of the ground."""
         ...

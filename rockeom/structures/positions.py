@@ -1,12 +1,15 @@
 """Places of the bodies and feet of a structure, and of the parts that a sketch shows.
 
 A generated module tells both; here they get their names. Places are (x, y) in axes that move with
-the ground, x to the right and y upwards, from the origin of the declaration.
+the ground, x to the right and y upwards, from the origin of the declaration; in space (x, y, z), z
+upwards.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from rockeom.integrator.schema import ground_axes, in_space
 
 BODIES = ("body", "massless")
 """Kinds of what turns: the places of all others are points."""
@@ -63,23 +66,33 @@ class Shapes(NamedTuple):
     copies: dict[str, Copies]
 
 
+def size_of_place(module: Any) -> int:
+    """Numbers of a place: x, y and the angle; in space x, y, z and the matrix of the rotation."""
+    return 12 if in_space(module) else 3
+
+
 def places(module: Any, modes: np.ndarray, states: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """(n, m, 3) places and rotations of POSITIONS, in states (n, N) of modes (n,)."""
-    out = np.empty((len(states), 3 * len(module.POSITIONS)))
+    """(n, m, k) places and rotations of POSITIONS, in states (n, N) of modes (n,)."""
+    size = size_of_place(module)
+    out = np.empty((len(states), size * len(module.POSITIONS)))
     for mode, y, row in zip(modes.tolist(), states.tolist(), out, strict=True):
         module.positions(mode, y, p, row)
-    return out.reshape(len(states), -1, 3)
+    return out.reshape(len(states), -1, size)
 
 
 def positions_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
-    """Places (..., 2) by name, of the values (..., m, 3) of `places`."""
-    return {name: poses[..., i, :2] for i, name in enumerate(module.POSITIONS)}
+    """Places (..., 2), in space (..., 3), by name, of the values (..., m, k) of `places`."""
+    axes = len(ground_axes(module))
+    return {name: poses[..., i, :axes] for i, name in enumerate(module.POSITIONS)}
 
 
 def rotations_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
-    """Rotations of the bodies, by name, (...)."""
+    """Rotations of the bodies, by name, (...); in space their matrices (..., 3, 3)."""
     kinds = zip(module.POSITIONS, module.POSITION_KINDS, strict=True)
-    return {name: poses[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
+    bodies = {name: poses[..., i, :] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
+    if in_space(module):
+        return {name: of[..., 3:].reshape(*of.shape[:-1], 3, 3) for name, of in bodies.items()}
+    return {name: of[..., 2] for name, of in bodies.items()}
 
 
 def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:

@@ -13,7 +13,8 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles
+from rockeom.integrator.linking import ground_text
+from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still_ground
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -23,9 +24,9 @@ from rockeom.structures.statics import Equilibrium, balanced
 
 HAPPENED = {
     codes.LANDING: "landing", codes.LIFTING: "lifting",
-    codes.SLIPPING: "slip begins", codes.STICKING: "slip ends",
+    codes.SLIPPING: "slip begins", codes.STICKING: "slip ends", codes.BOUND: "bound",
 }  # fmt: skip
-"""Words for the events of a point."""
+"""Words for the events of a point, and of a bound."""
 
 _CLOSED = 1e-9
 """Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
@@ -328,6 +329,20 @@ def check_ties(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
             )
 
 
+def check_bounds(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
+    """Raise InputError for a state at a bound of the declaration, or beyond."""
+    mode = 0
+    guards = _guards(module, mode, y, p)
+    others = len(module.POINTS) + len(module.ELEMENTS)
+    for i, kind in enumerate(module.KINDS[mode]):
+        if kind == codes.BOUND and not guards[i] > 0.0:
+            name = getattr(module, "BOUNDS", ())[module.SUBJECTS[mode][i] - others]
+            raise InputError("initial", of=module.NAME).says(
+                f"the bound {name!r} is {guards[i]:g} in this state: give one in which it is above "
+                "zero"
+            )
+
+
 def _after(
     module: SearchedModes, mode: int, guard: int, y: np.ndarray, p: np.ndarray
 ) -> np.ndarray:
@@ -438,7 +453,7 @@ _ON_TIME = 1e-9
 
 
 def mode_under_forces(
-    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
+    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, ...]
 ) -> int:
     """The mode in which a state goes on, by the forces under a ground acceleration.
 
@@ -447,7 +462,7 @@ def mode_under_forces(
     """
     if not len(module.POINTS):
         return mode
-    follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
+    follows = _searching(module)["fits_by_forces"](mode, y, p, ground)
     if follows < 0:
         none = "no" if follows == codes.IMPOSSIBLE else "more than one"
         raise InputError("state").says(
@@ -497,7 +512,7 @@ def equilibrium(module: SearchedModes, p: np.ndarray, rotation: float) -> Equili
         return lacking[moving] + along.T @ lacking[tied]
 
     forces = np.zeros(len(m.REACTIONS))
-    m.reactions(mode_of(m, upright, p), upright, p, 0.0, 0.0, forces)
+    m.reactions(mode_of(m, upright, p), upright, p, *still_ground(m), forces)
     force, y = balanced(state, statics, len(free), noise=1e-12 * np.abs(forces).sum())
     if not np.isfinite(force):
         raise ValueError(f"no equilibrium of {m.NAME} at rotation {rotation}")
@@ -547,7 +562,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     compounds : numbers may be such, in those functions of them that find closed points.
     """
     own = vars(of_compounds(module) if compounds else module)
-    modules = Modules({PROVIDED: ()})
+    modules = Modules({PROVIDED: (ground_text(module),)})
     texts = modules.closure([module_text("rockeom.integrator.transitions.newton")])
     names = as_python(texts, own | {"ANGLES": angles(module)})
     if compounds:  # their globals: what the texts import is for numbers
@@ -558,7 +573,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
 def _guards(module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """Guards of a mode where the ground does not accelerate."""
     values = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
-    for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values)
+    for_arrays(module, y, p).guards(mode, y, p, *still_ground(module), values)
     return values
 
 
@@ -626,7 +641,8 @@ def subjects(
             continue
         number = module.SUBJECTS[mode][guard]
         if number >= len(module.POINTS):
-            names[i] = module.ELEMENTS[number - len(module.POINTS)]
+            others = (*module.ELEMENTS, *getattr(module, "BOUNDS", ()))
+            names[i] = others[number - len(module.POINTS)]
             continue
         several = [number]
         if kind == codes.LANDING:

@@ -90,8 +90,9 @@ def balanced(
         none = statics(y, 0.0)
         load = 1.0 + abs(none[0])  # one newton might be lost next to the other forces
         with_load = statics(y, load)
-        share = none[0] / (none[0] - with_load[0])
-        return (none + share * (with_load - none))[1:], share * load
+        with np.errstate(all="ignore"):  # a structure without a load point has none
+            share = none[0] / (none[0] - with_load[0])
+            return (none + share * (with_load - none))[1:], share * load
 
     at = np.zeros(unknowns)
     if not unknowns:

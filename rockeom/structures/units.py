@@ -3,10 +3,18 @@
 from collections.abc import Mapping
 from typing import Any
 
+from rockeom.integrator.schema import ground_axes
+
 
 def is_dimensionless(module: Any) -> bool:
     """Whether a structure's states, time and accelerations are pure numbers."""
     return module.STATE_UNITS[module.ROTATION] == "-"
+
+
+def ground_accelerations(module: Any) -> tuple[str, ...]:
+    """Names of the components of the ground's acceleration, in the order of the equations."""
+    names = (f"{axis}_ground_acceleration" for axis in ground_axes(module))
+    return tuple(name.removeprefix("horizontal_") for name in names)
 
 
 def main_units(module: Any) -> dict[str, str]:
@@ -14,7 +22,7 @@ def main_units(module: Any) -> dict[str, str]:
     units = dict(zip(module.STATES, module.STATE_UNITS, strict=True))
     units |= dict.fromkeys((*module.ENERGIES, "total_energy"), "J")
     units |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
-    units |= dict.fromkeys(("ground_acceleration", "vertical_ground_acceleration"), "m/s2")
+    units |= dict.fromkeys(ground_accelerations(module), "m/s2")
     return dimensioned(module, units)
 
 

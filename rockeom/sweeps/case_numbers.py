@@ -28,16 +28,19 @@ from rockeom.structures.units import dimensioned, time_unit, with_unit
 
 _Path = tuple[Any, ...]
 
-PARTS = ("structure", "motion", "impact", "initial", "vertical", "mode", "ground_axes")
+PARTS = (
+    "structure", "motion", "impact", "initial", "vertical", "mode", "ground_axes", "transverse",
+)  # fmt: skip
 """Parts of a case that a sweep by names may vary as a whole."""
 
 FACTORS = ("scale", "time_scale")
-"""Factors of the acceleration and the time of a motion, or of both motions of a case."""
+"""Factors of the acceleration and the time of a motion, or of all motions of a case."""
 
-_IN_FULL = {
-    f"{motion}.{name}" for motion in ("motion", "vertical") for name in (*FACTORS, "duration")
-}
-"""Names that are never shortened: factors of both motions, and the duration of the case."""
+MOTIONS = ("motion", "transverse", "vertical")
+"""Parts of a case that are ground motions."""
+
+_IN_FULL = {f"{motion}.{name}" for motion in MOTIONS for name in (*FACTORS, "duration")}
+"""Names that are never shortened: factors of motions, and the duration of the case."""
 
 
 class Number(NamedTuple):
@@ -56,7 +59,7 @@ class Number(NamedTuple):
     @property
     def factor(self) -> str:
         """Whether it is "scale" or "time_scale"; "" for neither."""
-        of_motion = self.part in ("case", "motion", "vertical")
+        of_motion = self.part in ("case", *MOTIONS)
         return str(self.path[0]) if of_motion and self.path[0] in FACTORS else ""
 
 
@@ -67,6 +70,7 @@ def numbers_of(case: Case) -> dict[str, Number]:
         **_of_motion("motion", case),
         **_of_law(case),
         **_of_start(case),
+        **_of_motion("transverse", case),
         **_of_motion("vertical", case),
         **_of_time(case),
     }
@@ -141,7 +145,7 @@ def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
         part: _CHANGED[part](getattr(case, part), of_part) for part, of_part in of_parts.items()
     }
     factors = _factors(changed.get("motion", case.motion), own)
-    for name in ("motion", "vertical") if factors else ():
+    for name in MOTIONS if factors else ():
         if (motion := changed.get(name, getattr(case, name))) is not None:
             changed[name] = _changed_motion(motion, factors)
     start = {path[1]: x for path, x in own.items() if path[0] == "initial"}
@@ -314,7 +318,7 @@ def _changed_motion(motion: GroundMotion, places: Mapping[_Path, Any]) -> Ground
 
 
 def _factors(motion: GroundMotion, own: Mapping[_Path, Any]) -> dict[_Path, Any]:
-    """The factors of both motions, of which "pga" makes one for the peak of the horizontal one."""
+    """The factors of all motions, of which "pga" makes one for the peak of the horizontal one."""
     factors = {(name,): own[name,] for name in FACTORS if (name,) in own}
     if ("pga",) in own:
         if ("scale",) in factors:
@@ -335,7 +339,6 @@ def _changed_law(law: Any, places: Mapping[_Path, Any]) -> Any:
 
 _CHANGED = {
     "structure": _changed,
-    "motion": _changed_motion,
-    "vertical": _changed_motion,
+    **dict.fromkeys(MOTIONS, _changed_motion),
     "impact": _changed_law,
 }

@@ -170,9 +170,9 @@ def _motions(q: Problems, options: SolverOptions, impacts: int) -> records.Batch
     return records.Batch(
         status=np.empty((n, len(AT_THE_START)), np.int64), clock=np.empty((n, 4)),
         states=np.empty((n, width)), rates=np.empty((n, width)), t_end=q.end,
-        quiet_from=q.quiet_from, horizontal=q.horizontal, h_rows=q.h_rows, vertical=q.vertical,
-        v_rows=q.v_rows, p=q.p, law=q.law, ratio=q.ratio, rtol=options.rtol,
-        atol=np.full(width, options.atol), h_max=options.max_step,
+        quiet_from=q.quiet_from, horizontal=q.horizontal, h_rows=q.h_rows, transverse=q.transverse,
+        t_rows=q.t_rows, vertical=q.vertical, v_rows=q.v_rows, p=q.p, law=q.law, ratio=q.ratio,
+        rtol=options.rtol, atol=np.full(width, options.atol), h_max=options.max_step,
         fixed=options.steps_per_segment, fallen=q.fallen, rest_tolerance=options.rest_tolerance,
         max_impacts=options.max_impacts, max_steps=options.max_steps,
         outcome=np.empty(n, np.int64), extremes=np.empty((n, 2, width)),

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, in_space
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.simulation.case import Case
@@ -277,7 +277,11 @@ def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
     """Whether a sweep steps in lanes, as asked or by its structure and method."""
     pay, explicit = lanes_pay(module), method != "Radau"
     if lanes is None:
-        return pay and explicit
+        return pay and explicit and not in_space(module)
+    if lanes and in_space(module):
+        raise InputError("lanes", True).says(
+            f"lanes are of the plane, and {module.NAME} moves in space: leave lanes=True out"
+        )
     if lanes and not pay:
         raise InputError("lanes", True).says(
             f"lanes gain too little for {module.NAME}, whose modes change too often: leave "

@@ -25,7 +25,7 @@ from rockeom.numbers.dual import (
 )
 from rockeom.numbers.functions import of_compounds
 from rockeom.simulation.case import Case, check_case, parted
-from rockeom.simulation.ground import Ground
+from rockeom.simulation.ground import MOTIONS, PARTS, Ground
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
@@ -225,7 +225,7 @@ parts so small that their squares vanish (Lyness and Moler 1967). Records have t
 def _of_ground(
     ground: Ground, of_factors: Sequence[tuple[int, Number]], m: int
 ) -> dict[str, np.ndarray]:
-    """(rows, 7, m) derivatives of both tables by factors of the motions, which are some directions.
+    """(rows, 7, m) derivatives of the tables by factors of the motions, which are some directions.
 
     of_factors : the direction and the number of each.
     """
@@ -234,14 +234,14 @@ def _of_ground(
         acceleration, time = _FACTORS[number.factor]
         moved = (
             scaled(table, 1.0 + acceleration, 1.0 + time)
-            if number.part in ("case", part)
+            if number.part in ("case", PARTS.get(name, name))
             else table
-            for part, table in zip(("motion", "vertical"), ground.level_tables, strict=True)
+            for name, table in ground.level_tables.items()
         )
         for derivative, table in zip(derivatives, ground.tables_of(*moved), strict=True):
             derivative[j] = table.imag / _TINY
     parts = (np.moveaxis(derivative, 0, -1) for derivative in derivatives)
-    return dict(zip(("horizontal", "vertical"), parts, strict=True))
+    return dict(zip(MOTIONS, parts, strict=True))
 
 
 # -- quantities by name
@@ -309,8 +309,8 @@ class _Moving:
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
         """When there is a corner of the ground's motion that moves, within a tolerance."""
-        tables = self.path.problem.horizontal, self.path.problem.vertical
-        for rows, along in zip(tables, (self.along.horizontal, self.along.vertical), strict=True):
+        for name in MOTIONS:
+            rows, along = getattr(self.path.problem, name), getattr(self.along, name)
             times, moves = rows[:, :KIND].ravel(), along[:, :KIND].reshape(-1, self.m)
             for i in np.flatnonzero((np.abs(times - t) <= tolerance) & moves.any(axis=1)):
                 return Dual(float(times[i]), moves[i])

@@ -32,7 +32,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
-from rockeom.simulation.ground import ground_of
+from rockeom.simulation.ground import MOTIONS, ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Outcome, Response, fall_is_judged
 from rockeom.simulation.simulate import simulated
@@ -239,7 +239,8 @@ class Motion:
     @property
     def grounds(self) -> list[np.ndarray]:
         """Derivatives of the tables of the ground's motions that have some: others are one zero."""
-        return [x for x in (self.along.horizontal, self.along.vertical) if any(x.strides)]
+        tables = (getattr(self.along, name) for name in MOTIONS)
+        return [x for x in tables if any(x.strides)]
 
     @cached_property
     def order(self) -> np.ndarray:
@@ -265,8 +266,8 @@ class Motion:
         r, (y, modes) = self.response, self.response.steps.at(np.array([t]), "left")
         before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
         rates = np.empty(len(r.states))
-        across, up = map(float, ground_of(r).accelerations(before))
-        r.structure.module.rates(int(modes[0]), y[0], r.structure.vector, across, up, rates)
+        shaking = map(float, ground_of(r).accelerations(before))
+        r.structure.module.rates(int(modes[0]), y[0], r.structure.vector, *shaking, rates)
         return rates
 
     @cached_property
@@ -287,8 +288,9 @@ class Motion:
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
         case = records.Case(
-            t_end=q.end, horizontal=q.horizontal, vertical=q.vertical, p=p, law=q.law,
-            ratio=q.ratio, rtol=r.options.rtol, atol=atol, h_max=r.options.max_step, fixed=0,
+            t_end=q.end, horizontal=q.horizontal, transverse=q.transverse, vertical=q.vertical,
+            p=p, law=q.law, ratio=q.ratio, rtol=r.options.rtol, atol=atol,
+            h_max=r.options.max_step, fixed=0,
             fallen=q.fallen, rest_tolerance=r.options.rest_tolerance,
             max_impacts=r.options.max_impacts, max_steps=r.options.max_steps,
         )  # fmt: skip
@@ -298,7 +300,7 @@ class Motion:
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
-            tables = (q.horizontal, along.horizontal), (q.vertical, along.vertical)
+            tables = ((getattr(q, name), getattr(along, name)) for name in MOTIONS)
             rows = [_dual(*table, some) if shaken.size else _NO_ROWS for table in tables]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)

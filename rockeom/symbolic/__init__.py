@@ -3,6 +3,7 @@
 from typing import Any
 
 from rockeom.numbers import explained
+from rockeom.symbolic import space
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
@@ -73,5 +74,6 @@ __all__ = [
     "parameter",
     "rectangle",
     "rocking_structure",
+    "space",
     "turned",
 ]

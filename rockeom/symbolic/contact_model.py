@@ -79,6 +79,10 @@ class Model(Declared, ContactDeclaration):
         Lines of a sketch.
     falls : dict of Coordinate to sympy.Expr, optional
         Further coordinates that overturn, each with the size at which it has, {coordinate: size}.
+    bounds : dict of str to sympy.Expr, optional
+        Where the declaration holds: functions of the coordinates, positive within, by name. A
+        motion ends where one falls through zero, with the outcome "out of bounds". Bodies that
+        touch nothing need one, such as ``{"flat": theta}`` of a column that leans.
 
     Raises
     ------

@@ -347,12 +347,13 @@ class ContactDeclaration:
     reference: str = ""
     members: tuple[Member, ...] = ()
     falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    bounds: Mapping[str, sp.Expr] = field(default_factory=dict, hash=False)
 
     @cached_property
     def free(self) -> Mode:
         """The structure without its contacts and what switches, all coordinates free."""
         return Mode(
-            {"flight": 0},
+            {self.open_mode: 0},
             self.coordinates,
             self.bodies,
             self.gravity,
@@ -362,6 +363,11 @@ class ContactDeclaration:
             forces=self._generalised_forces,
             elements=self.springs,
         )
+
+    @property
+    def open_mode(self) -> str:
+        """Name of the mode in which nothing touches; "free" where nothing ever does."""
+        return "flight" if self.contacts or self.switching else "free"
 
     @property
     def springs(self) -> tuple[Spring, ...]:
@@ -388,7 +394,10 @@ class ContactDeclaration:
         moves_all = [
             c
             for c in self.coordinates
-            if all(sp.diff(x, c.position) == 1 and sp.diff(y, c.position) == 0 for x, y in places)
+            if all(
+                sp.diff(x, c.position) == 1 and all(sp.diff(e, c.position) == 0 for e in others)
+                for x, *others in places
+            )
         ]
         across = [e.displacement for e in self.elements]
         across += [w for f in self.forces for _, w in f.components]

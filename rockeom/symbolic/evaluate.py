@@ -9,7 +9,6 @@ import sympy as sp
 from rockeom.numbers.checks import InputError
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
 
 Function = Callable[[Sequence], np.ndarray]
@@ -79,7 +78,7 @@ class NumpyMode:
         q = [c.position for c in self._model.coordinates]
         qd = [c.velocity for c in self._model.coordinates]
         given = [p.symbol for p in self._model.parameters]
-        return [*given, *self._model.constants, *q, *qd, GROUND_X, GROUND_Y]
+        return [*given, *self._model.constants, *q, *qd, *self._model.shaking]
 
     def _function(self, expressions: Iterable[sp.Expr], *more: sp.Symbol) -> Function:
         exact = (self._model.in_mode(e, self.name) for e in expressions)
@@ -120,7 +119,7 @@ class NumpyMode:
             {
                 f"{name}.{i}": mode.approximated(place[i])
                 for name, place in places.items()
-                for i in (0, 1)
+                for i in range(len(place))
             }
         )
 

@@ -156,6 +156,11 @@ class HybridModel:
         return tuple(switch_of(i) for i in range(len(self.search.of.switching)))
 
     @property
+    def shaking(self) -> tuple[sp.Symbol, ...]:
+        """Accelerations of the ground, horizontal ones first: two in the plane, three in space."""
+        return model.shaking(self.bodies if self.modes else ())
+
+    @property
     def bodies(self) -> tuple[model.Body, ...]:
         """The same in all modes but for where they are."""
         return self.modes[0].bodies

@@ -23,7 +23,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, determinant, slopes, tidy
 from rockeom.symbolic.fractions import cancelled
-from rockeom.symbolic.lagrange import body_velocity
+from rockeom.symbolic.lagrange import body_velocity, weights
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
 from rockeom.symbolic.text.shown import Shown
@@ -134,23 +134,22 @@ class ImpulseMap(Shown):
         return all(tidy(d) == 0 for d in differences)
 
 
-def _jacobian(mode: Mode, index: int) -> sp.Matrix:
-    """(3, n): x, y and rotation of one body by the coordinates of the mode."""
-    body, q = mode.bodies[index], [c.position for c in mode.coordinates]
-    place = (*body.position, sp.sympify(body.rotation))
-    return sp.Matrix(3, len(q), [slope for e in place for slope in slopes(e, q)])
+def _velocity(mode: Mode, index: int) -> sp.Matrix:
+    """Velocity of the centroid of one body, then of its rotation."""
+    velocity = body_velocity(mode.bodies[index], mode.coordinates)
+    return sp.Matrix([*velocity.centroid, *velocity.spin])
 
 
-def momentum(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
-    """(horizontal, vertical) momentum of all bodies, relative to the ground.
+def momentum(mode: Mode) -> tuple[sp.Expr, ...]:
+    """Momentum of all bodies along each axis, relative to the ground.
 
     Its gain over a change of contact is the impulse of the ground on both feet together.
     """
-    total = [sp.Integer(0), sp.Integer(0)]
+    total = [sp.Integer(0)] * len(mode.bodies[0].position)
     for body in mode.bodies:
-        for i, v in enumerate(body_velocity(body, mode.coordinates)[:2]):
+        for i, v in enumerate(body_velocity(body, mode.coordinates).centroid):
             total[i] += body.mass * v
-    return tidy(total[0]), tidy(total[1])
+    return tuple(map(tidy, total))
 
 
 def derive_impulse_map(
@@ -169,11 +168,12 @@ def derive_impulse_map(
     n = len(after.mode.coordinates)
     mass_matrix, momentum = sp.zeros(n, n), sp.zeros(n, 1)
     for i, body in enumerate(before.mode.bodies):
-        jacobian = _jacobian(after.mode, i).subs(flip, simultaneous=True).subs(closed)
-        arriving = sp.Matrix(body_velocity(body, before.mode.coordinates)).subs(closed)
-        weights = sp.diag(body.mass, body.mass, body.inertia)
-        mass_matrix += jacobian.T * weights * jacobian
-        momentum += jacobian.T * weights * arriving
+        leaving, rates = _velocity(after.mode, i), [c.velocity for c in after.mode.coordinates]
+        jacobian = sp.Matrix([slopes(e, rates) for e in leaving]).reshape(len(leaving), n)
+        jacobian = jacobian.subs(flip, simultaneous=True).subs(closed)
+        arriving = _velocity(before.mode, i).subs(closed)
+        mass_matrix += jacobian.T * weights(body) * jacobian
+        momentum += jacobian.T * weights(body) * arriving
 
     def written(m: sp.Matrix) -> sp.Matrix:
         return m.applyfunc(lambda e: tidy(written_out(e).subs(closed)))

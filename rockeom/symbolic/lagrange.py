@@ -3,20 +3,21 @@
     d/dt dT/dq' - dT/dq + dV/dq + dF/dq' = Q        (thesis D-5)
 
 The ground's acceleration enters by d'Alembert forces -m a at each mass (thesis D-16), which is
-the same as measuring positions from the moving ground and letting gravity be g + a_y.
+the same as measuring positions from the moving ground and letting gravity be g plus the vertical
+acceleration.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import sympy as sp
 
 from rockeom.numbers import explained
 from rockeom.symbolic.algebra import at_side, slopes, tidy
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Coordinate
+from rockeom.symbolic.model import GROUND_ACCELERATIONS, Body, Coordinate, shaking
 from rockeom.symbolic.text.shown import Shown
 
 TIME = sp.Symbol("t")
@@ -163,9 +164,9 @@ class Equations(Shown):
         Returns
         -------
         Equations
-            Equations in q(t), its derivatives, a_x(t) and a_y(t).
+            Equations in q(t), its derivatives, and the accelerations of the ground such as a_x(t).
         """
-        motion = [*self.q, GROUND_X, GROUND_Y]
+        motion = [*self.q, *GROUND_ACCELERATIONS]
         put: dict[sp.Expr, sp.Expr] = {x: sp.Function(str(x))(t) for x in motion}
         for x, *rates in zip(self.q, self.u, self.accelerations, strict=True):
             put |= {rate: put[x].diff(t, order) for order, rate in enumerate(rates, 1)}
@@ -212,19 +213,38 @@ def _along(expr: sp.Expr, rates: list[tuple[sp.Symbol, sp.Symbol]]) -> sp.Expr:
     return sum((slope * x_dot for slope, x_dot in found), sp.Integer(0))
 
 
-def body_velocity(
-    body: Body, coordinates: tuple[Coordinate, ...]
-) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """(x', y', angular velocity) of a body relative to the ground."""
-    x, y = body.position
-    return tuple(rate(e, coordinates) for e in (x, y, sp.sympify(body.rotation)))
+class Velocity(NamedTuple):
+    """Velocity of a body relative to the ground: of its centroid, and of its rotation.
+
+    spin : in the plane the clockwise rate; in space along the axes of the body.
+    """
+
+    centroid: tuple[sp.Expr, ...]
+    spin: tuple[sp.Expr, ...]
+
+
+def body_velocity(body: Body, coordinates: tuple[Coordinate, ...]) -> Velocity:
+    """Velocity of a body relative to the ground."""
+    centroid = tuple(rate(e, coordinates) for e in body.position)
+    if not isinstance(body.rotation, sp.MatrixBase):
+        return Velocity(centroid, (rate(sp.sympify(body.rotation), coordinates),))
+    turning = body.rotation.T * body.rotation.applyfunc(lambda e: rate(e, coordinates))
+    spin = turning[2, 1], turning[0, 2], turning[1, 0]
+    return Velocity(centroid, tuple(map(tidy, spin)))
+
+
+def weights(body: Body) -> sp.Matrix:
+    """Mass and inertia of a body by the entries of its velocity, as a matrix."""
+    return sp.diag(*[body.mass] * len(body.position), body.inertia)
 
 
 def kinetic_energy(mode: Moving) -> sp.Expr:
     total = sp.Integer(0)
     for body in mode.bodies:
-        vx, vy, turning = body_velocity(body, mode.coordinates)
-        total += body.mass * (vx**2 + vy**2) / 2 + body.inertia * turning**2 / 2
+        velocity = body_velocity(body, mode.coordinates)
+        spin = sp.Matrix(velocity.spin)
+        turning = (spin.T * sp.Matrix([[body.inertia]]) * spin)[0]
+        total += body.mass * sum(v**2 for v in velocity.centroid) / 2 + turning / 2
     return total
 
 
@@ -234,9 +254,13 @@ def derive_equations(mode: Moving) -> Equations:
     qd = [c.velocity for c in mode.coordinates]
 
     kinetic = tidy(mode.approximated(kinetic_energy(mode)))
-    weight = mode.approximated(sum(b.mass * mode.gravity * b.position[1] for b in mode.bodies))
-    shaking = mode.approximated(
-        sum(b.mass * (GROUND_X * b.position[0] + GROUND_Y * b.position[1]) for b in mode.bodies)
+    weight = mode.approximated(sum(b.mass * mode.gravity * b.position[-1] for b in mode.bodies))
+    ground = shaking(mode.bodies)
+    moved = mode.approximated(
+        sum(
+            b.mass * sum(a * x for a, x in zip(ground, b.position, strict=True))
+            for b in mode.bodies
+        )
     )
     elastic = mode.approximated(mode.stored_energy)
 
@@ -263,7 +287,7 @@ def derive_equations(mode: Moving) -> Equations:
         gravity_forces=gradient(weight, q),
         elastic_forces=gradient(elastic, q),
         damping_forces=gradient(mode.dissipation_function, qd),
-        excitation_forces=-gradient(shaking, q),
+        excitation_forces=-gradient(moved, q),
         applied_forces=column(mode.forces or [0] * len(q)),
         kinetic_energy=kinetic,
         gravitational_energy=tidy(weight),

@@ -4,6 +4,7 @@ All of it is data: `rockeom.symbolic.lagrange` derives equations of motion from 
 positions are functions of coordinates.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -12,12 +13,12 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import require_word
 from rockeom.symbolic import valid
 
-Point = tuple[sp.Expr, sp.Expr]
-"""A place (x, y)."""
+Point = tuple[sp.Expr, ...]
+"""A place (x, y) in the plane, y upwards; (x, y, z) in space, z upwards."""
 Outline = tuple[Point, ...]
 
-GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
-"""Horizontal and vertical ground acceleration [m/s2], positive to the right and upwards."""
+GROUND_ACCELERATIONS = GROUND_X, GROUND_Y, _ = sp.symbols("a_x a_y a_z", real=True)
+"""Accelerations of the ground [m/s2] along the axes of a place, the last of which is vertical."""
 
 
 @explained.record()
@@ -194,11 +195,12 @@ class Body:
     mass : sympy.Expr
         Mass of the body.
     position : tuple of (sympy.Expr, sympy.Expr)
-        Place (x, y) of the centroid.
+        Place (x, y) of the centroid; in space (x, y, z), see `rockeom.symbolic.space`.
     inertia : sympy.Expr, optional
-        Moment of inertia about the centroid.
+        Moment of inertia about the centroid; in space the tensor (3, 3) in axes of the body.
     rotation : sympy.Expr, optional
-        Angle through which the body turns, clockwise.
+        Angle through which the body turns, clockwise; in space the matrix (3, 3) that takes axes of
+        the body to those of the ground.
     polar : tuple of (sympy.Symbol, sympy.Symbol, sympy.Symbol, sympy.Symbol), optional
         Symbols (half_width, height, R, alpha): the radius R and the angle alpha replace the
         half-width and the body's height where equations are shown in the form R sin(alpha - s
@@ -233,14 +235,33 @@ class Body:
     def __post_init__(self) -> None:
         what = f"body {self.name!r}"
         valid.texts(what, name=self.name)
-        valid.points(what, position=self.position)
-        valid.expressions(what, mass=self.mass, inertia=self.inertia, rotation=self.rotation)
-        valid.not_negative(what, mass=self.mass, inertia=self.inertia)
+        valid.points(what, axes=(2, 3), position=self.position)
+        valid.expressions(what, mass=self.mass)
+        valid.not_negative(what, mass=self.mass)
+        if len(self.position) == 2:
+            valid.expressions(what, inertia=self.inertia, rotation=self.rotation)
+            valid.not_negative(what, inertia=self.inertia)
+        else:
+            self._in_space(what)
         valid.expressions(what, **{f"polar {x}": x for x in self.polar or ()})
         if isinstance(self.outline, list | tuple):
             object.__setattr__(self, "outline", tuple(self.outline))
         valid.corners(what, self.outline)
         valid.expressions(what, copies=self.copies, apart=self.apart)
+
+    def _in_space(self, what: str) -> None:
+        """Make matrices of the tensor and the orientation; a body without them is a point mass."""
+        inertia = sp.zeros(3, 3) if self.inertia == 0 else self.inertia
+        rotation = sp.eye(3) if self.rotation == 0 else self.rotation
+        valid.matrices(what, inertia=inertia, rotation=rotation)
+        for name, matrix in (("inertia", inertia), ("rotation", rotation)):
+            object.__setattr__(self, name, sp.ImmutableMatrix(matrix))
+        valid.symmetric(what, inertia=self.inertia)
+
+
+def shaking(bodies: Iterable[Body]) -> tuple[sp.Symbol, ...]:
+    """The accelerations of the ground under some bodies: two in the plane, three in space."""
+    return GROUND_ACCELERATIONS[: max((len(body.position) for body in bodies), default=2)]
 
 
 GROUND = "ground"

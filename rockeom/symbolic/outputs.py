@@ -1,11 +1,12 @@
 """Outputs of a state, by name: places, energies, kinematics, statics, powers, elements of a mode.
 
 They are functions of a model and one of its modes. Elements of a search act by their states, chi.
-Places are (x, y) in axes that move with the ground, x to the right and y upwards.
+Places are (x, y) in axes that move with the ground, x to the right and y upwards; in space (x, y,
+z), z upwards.
 """
 
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple, Self
 
 import sympy as sp
 
@@ -28,6 +29,8 @@ WALL_LEFT, WALL_RIGHT = "wall_on_the_left", "wall_on_the_right"
 class Place(NamedTuple):
     """A body's centre, with the angle through which the body turns; or a point.
 
+    In space the rotation has the nine entries of the body's matrix, row by row.
+
     kind : "body", or "massless", a body for sketches; "foot", above rigid ground, or beside a wall
     that stands, "wall_on_the_left" or "wall_on_the_right"; "point", that touches another body;
     "spring" or "spring_and_damper", which carry it; "tendon", "damper" or "push", an element of
@@ -35,31 +38,37 @@ class Place(NamedTuple):
     """
 
     kind: str
-    x: sp.Expr
-    y: sp.Expr
-    rotation: sp.Expr = sp.S.Zero
+    at: Point
+    rotation: tuple[sp.Expr, ...]
+
+    @classmethod
+    def of(cls, kind: str, at: Point, rotation: Any = sp.S.Zero) -> Self:
+        """rotation : that of a `Body`; none of a point."""
+        if len(at) == 2:
+            return cls(kind, at, (rotation,))
+        return cls(kind, at, tuple(sp.eye(3) if rotation == 0 else rotation))
 
 
 def places(model: HybridModel, mode: Mode) -> dict[str, Place]:
     """Places of bodies, feet or contacts, springs and the load point, by name, in a mode."""
     found = [
-        (b.name, Place(BODY if b.mass != 0 else MASSLESS, *b.position, b.rotation))
+        (b.name, Place.of(BODY if b.mass != 0 else MASSLESS, b.position, b.rotation))
         for b in mode.bodies
     ]
     if model.search is not None:
         of = model.search.of
-        found += [(c.name, Place(_touches(of, c), *c.point)) for c in of.contacts]
+        found += [(c.name, Place.of(_touches(of, c), c.point)) for c in of.contacts]
         for e in of.switching:
             if e.place is not None:
-                found.append((e.name, Place(e.drawn, *e.place)))
-        found += [(m.end, Place(END, *end)) for m, end in drawn(model)]
+                found.append((e.name, Place.of(e.drawn, e.place)))
+        found += [(m.end, Place.of(END, end)) for m, end in drawn(model)]
     else:
         found += [
-            (name, Place(DAMPED if foot.sprung else FOOT, *foot.position))
+            (name, Place.of(DAMPED if foot.sprung else FOOT, foot.position))
             for name, foot in sorted(mode.feet.items())
         ]
     if mode.load_point is not None:
-        found.append((LOAD_POINT, Place(LOAD_POINT, *mode.load_point)))
+        found.append((LOAD_POINT, Place.of(LOAD_POINT, mode.load_point)))
     return dict(found)
 
 

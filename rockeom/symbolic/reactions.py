@@ -7,18 +7,20 @@ from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import shaking
 
 
-def total_reaction(mode: Mode) -> tuple[sp.Expr, sp.Expr]:
-    """(horizontal, vertical) force of the ground on all feet, by Newton's second law."""
-    horizontal, vertical = (-sp.sympify(force) for force in mode.beside_feet)
+def total_reaction(mode: Mode) -> tuple[sp.Expr, ...]:
+    """Force of the ground on all feet along each axis, by Newton's second law."""
+    ground = shaking(mode.bodies)
+    total = [sp.S.Zero] * (len(ground) - 2) + [-sp.sympify(force) for force in mode.beside_feet]
     for body in mode.bodies:
         place = [mode.approximated(e) for e in body.position]
-        x, y = (rate(rate(e, mode.coordinates), mode.coordinates) for e in place)
-        horizontal += body.mass * (x + GROUND_X)
-        vertical += body.mass * (y + GROUND_Y + mode.gravity)
-    return tidy(horizontal), tidy(vertical)
+        for i, (e, moved) in enumerate(zip(place, ground, strict=True)):
+            weight = mode.gravity if i == len(ground) - 1 else 0
+            along = rate(rate(e, mode.coordinates), mode.coordinates)
+            total[i] += body.mass * (along + moved + weight)
+    return tuple(map(tidy, total))
 
 
 def reactions(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:

@@ -5,7 +5,7 @@ Each check raises ValueError, which names what is declared, the item and the rem
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from numbers import Real
 from typing import Any
 
@@ -49,12 +49,29 @@ def expressions(what: str, **items: Any) -> None:
         require(not sp.sympify(value).has(sp.nan, sp.zoo), what, item, value, "give a finite value")
 
 
-def points(what: str, **items: Any) -> None:
-    """Each must be a pair of expressions."""
+def points(what: str, axes: Collection[int] = (2,), **items: Any) -> None:
+    """Each must be a tuple of expressions, as many as there may be axes."""
     for item, value in items.items():
-        if not isinstance(value, tuple) or len(value) != 2:
-            raise InputError(item, value, what).give("a point as (x, y)")
-        expressions(what, **{f"{axis} of {item}": value[i] for i, axis in enumerate("xy")})
+        if not isinstance(value, tuple) or len(value) not in axes:
+            in_space = ", in space (x, y, z)" if 3 in axes else ""
+            raise InputError(item, value, what).give(f"a point as (x, y){in_space}")
+        places = zip("xyz", value, strict=False)
+        expressions(what, **{f"{axis} of {item}": e for axis, e in places})
+
+
+def matrices(what: str, **items: Any) -> None:
+    """Each must be a matrix (3, 3) of expressions."""
+    for item, value in items.items():
+        if not isinstance(value, sp.MatrixBase) or value.shape != (3, 3):
+            raise InputError(item, value, what).give("a matrix of SymPy, 3 by 3, in space")
+        rows = {f"entry {i}, {j} of {item}": value[i, j] for i in range(3) for j in range(3)}
+        expressions(what, **rows)
+
+
+def symmetric(what: str, **items: sp.MatrixBase) -> None:
+    for item, value in items.items():
+        if not value.is_symmetric():
+            raise InputError(item, value, what).so("it is not symmetric: give its other half alike")
 
 
 def corners(what: str, outline: Any) -> None:

@@ -103,7 +103,7 @@ def test_equations_of_motion_have_the_bits_of_python():
     still, force = np.zeros((0, 7)), np.zeros((1, len(module.REACTIONS)))
     motion = np.zeros((1, len(module.KINEMATICS)))
     mode = module.MODES.index("right")
-    program.evaluate(np.array([mode]), t, states, still, still, p, energy, force, motion)
+    program.evaluate(np.array([mode]), t, states, still, still, still, p, energy, force, motion)
     own = {"math": own_mathematics(), "np": np}
     wanted = np.zeros(len(module.ENERGIES))
     FunctionType(module.energies.__code__, vars(module) | own)(mode, y, p, wanted)

@@ -174,6 +174,29 @@ def run(x: Floats, n: Ints, out: Floats):
                 out[place + i] += total if place > 3 else k
 """
 
+SPREAD = """
+N = 3
+HALVES = (0.5, -0.5, 0.25)
+
+def shifted(k, a, b, c, at, out):
+    out[k] += a - 2.0 * b + 3.0 * c
+    out[k + 6] += at[1]
+
+def halved(x, first):
+    return tuple(HALVES[i] * x[first + i] for i in unrolled(range(N)))
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for k in range(3):
+        parts, still = halved(x, k), tuple(0 if j == 1 else j for j in unrolled((2, 1, 0)))
+        if x[k] < 0.0:
+            parts = tuple(parts[place] + still[N - 1 - place] for place in unrolled(range(N)))
+        shifted(k, *parts, tuple(part for part in unrolled((1.5, 2.5))), out)
+        shifted(k, *HALVES, parts, out)
+        shifted(k, x[k], *(x[k + 1], 4), (n[0], n[1]), out)
+        out[k + 3] = max(0.0, *parts) - min(*parts, *still)
+"""
+
 CHOICES = """
 @entry
 def run(x: Floats, n: Ints, out: Floats):
@@ -269,6 +292,7 @@ TEXTS = {
     "determinant": DETERMINANT,
     "places": PLACES,
     "loops that are written out": ROUNDS,
+    "tuples of rounds, and their items as arguments": SPREAD,
     "choices": CHOICES,
     "library": LIBRARY,
     "infinite": INFINITE,
@@ -453,6 +477,12 @@ REFUSED = {
     "for i in unrolled((1, 2)):\n        pass\n    else:\n        x = 1": "without `else`",
     "i = 3\n    for i in unrolled((1, 2)):\n        pass": "no variable has it",
     "for i in unrolled((1, 2)):\n        pass\n    z = i": "i is not known",
+    "x = tuple(i for i in unrolled(range(n)))": "goes over all its constants",
+    "x = tuple(i for i in range(2))": "a tuple is written out, or tuple(x for i in unrolled",
+    "x = tuple(i for i in unrolled((1, 2)) if i > 1)": "a tuple is written out, or",
+    "i = 3\n    x = tuple(i for i in unrolled((1, 2)))": "no variable has it",
+    "x = outer(*y)": "a tuple has a star, and no array of float with 1 dimensions",
+    "x = outer(*(1.0, 2.0))": "it takes 1 arguments, and got 2",
     "x = other(1.0)": "no function other is known",
     "x = outer(1.0, 2.0)": "it takes 1 arguments, and got 2",
     "x = outer(x=1.0)": "arguments are given by their place",

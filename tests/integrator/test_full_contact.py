@@ -41,7 +41,9 @@ def stays(structure, h, ends, gx, gy=QUIET):
     a = f["arrays_of"](y, np.zeros(4), np.zeros(f["SCRATCH"]))
     a.y_new[:], a.k[3], a.k[f["N_STAGES"] * 4 + 3] = y_new, at_start, at_end
     case = f["Case"](*[None] * len(f["Case"]._fields))._replace(p=constants(structure))
-    return f["stays_held"](f["FULL_CONTACT"], 0.0, h, f["Ground"](0, gx, 0, gy), case, a)
+    return f["stays_held"](
+        f["FULL_CONTACT"], 0.0, h, tuple(f["Segment"](0, row) for row in (gx, gy)), case, a
+    )
 
 
 def least_guard(structure, h, ends, line):
@@ -110,6 +112,7 @@ def test_step_on_both_feet_is_the_step_of_every_mode(structure, law):
     f = dict(loop(structure))
     random = np.random.default_rng(5)
     names = f["take_step"].__globals__
+    ground = f["Segment"](0, law), f["Segment"](0, QUIET)
     for _ in range(5):
         y = np.array([0.0, random.uniform(-1e-3, 1e-3), 0.0, random.uniform(-0.3, 0.3)])
         found = []
@@ -118,7 +121,7 @@ def test_step_on_both_feet_is_the_step_of_every_mode(structure, law):
             structure.module.rates(f["FULL_CONTACT"], y, constants(structure), 0.7, 0.0, k)
             names["FULL_CONTACT"] = held
             error = f["take_step"](
-                f["FULL_CONTACT"], 0.0, 0.004, y, constants(structure), law, QUIET, 1e-10,
+                f["FULL_CONTACT"], 0.0, 0.004, y, constants(structure), ground, 1e-10,
                 np.full(4, 1e-12), k, y_new,
             )  # fmt: skip
             found.append([error, *y_new, *k])
@@ -138,7 +141,7 @@ def test_time_to_rest_is_that_of_all_flights_one_by_one(ratio):
         y = np.array([0.0, u, speed, u_dot])
         rate, out = np.zeros(4), np.zeros(4)
         m.rates(right, y, p, ax, 0.0, rate)
-        rests, _ = f["time_to_rest"](right, y, p, 0, ratio, 0, ax, 0.0, 1e-2, out)
+        rests, _ = f["time_to_rest"](right, y, p, 0, ratio, 0, (ax, 0.0), 1e-2, out)
         assert math.isinf(rests) or f["may_fade"](1.0, y, rate, 0, ratio, 1e-2)
         if math.isinf(rests):
             continue

@@ -227,8 +227,8 @@ def test_a_loop_that_stops_to_empty_its_records_goes_on_to_the_last_bit(room):
         while code == FULL:
             status[7:9] = 0
             code = compiled.integrate(
-                status, clock, y, rate, 1.5, table, table[:0], structure.vector, 0, 0.8, 1e-10,
-                np.full(2, 1e-12), math.inf, 0, 1.5, 1e-6, 1000, 10_000,
+                status, clock, y, rate, 1.5, table, table[:0], table[:0], structure.vector, 0, 0.8,
+                1e-10, np.full(2, 1e-12), math.inf, 0, 1.5, 1e-6, 1000, 10_000,
                 np.empty((steps, 2)), np.empty(steps, np.int64), np.empty((steps, 8, 2)),
                 np.empty(99), np.empty((99, 4), np.int64), np.empty((99, 2, 2)),
                 np.empty((0, 2)), np.zeros(compiled.SCRATCH),

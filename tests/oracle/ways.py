@@ -182,7 +182,7 @@ def run(integrate: Callable[..., int], structure, scratch: int, duration: float,
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         code = integrate(
-            status, np.zeros(4), y, np.zeros(n), duration, table, table[:0],
+            status, np.zeros(4), y, np.zeros(n), duration, table, table[:0], table[:0],
             structure.vector.copy(), 0, 0.8, 1e-8, np.full(n, 1e-10), math.inf, 0,
             structure.overturning_rotation, 1e-6, 1000, 3000, *record, *events, np.empty((0, n)),
             np.zeros(scratch),

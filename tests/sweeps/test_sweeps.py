@@ -35,7 +35,7 @@ def source(case, over, arrays=True, chunk=10**6):
 
 def in_bits(problems: Problems):
     """What each case is given to the compiled loop, in bytes; tables without those of others."""
-    tables = {"horizontal": "h_rows", "vertical": "v_rows"}
+    tables = {"horizontal": "h_rows", "transverse": "t_rows", "vertical": "v_rows"}
     found = []
     for i in range(len(problems.end)):
         row = []

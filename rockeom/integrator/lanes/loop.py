@@ -135,7 +135,7 @@ from rockeom.integrator.provided import (
     rates,
     step_lanes,
 )
-from rockeom.integrator.records import Batch, Ground, Recorder
+from rockeom.integrator.records import Batch, Recorder, Segment
 from rockeom.integrator.steps import first_step, most_error
 from rockeom.integrator.tolerances import (
     EPS,
@@ -162,7 +162,8 @@ def segment(z, first, lane):
 @inlined
 def ground_of(z, lane):
     """The segments of a lane."""
-    return Ground(0, segment(z, Z_START_X, lane), 0, segment(z, Z_START_Y, lane))
+    x, y = segment(z, Z_START_X, lane), segment(z, Z_START_Y, lane)
+    return Segment(0, x), Segment(0, y)
 
 
 def plan_lanes(z, h_max):
@@ -265,6 +266,7 @@ def alone(lane, z, w, batch, recorder, scratch, until):
     case = case_of(
         batch, n, until,
         batch.horizontal[w[W_NX + lane] : batch.h_rows[n, 1]],
+        batch.transverse[:0],
         batch.vertical[w[W_NY + lane] : batch.v_rows[n, 1]],
     )  # fmt: skip
     own = recorder._replace(events=recorder.events[:room], extremes=batch.extremes[n])
@@ -347,8 +349,8 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     y, rate, p, t = batch.states[case], batch.rates[case], batch.p[case], z[Z_T + lane]
     status, tolerance = batch.status[case], batch.rest_tolerance
     after, y_w, n = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW], N_STATES // 2
-    ax, ay = ground_accelerations(ground_of(z, lane), t)
-    rates(mode, y, p, ax, ay, rate)
+    shaking = ground_accelerations(ground_of(z, lane), t)
+    rates(mode, y, p, *shaking, rate)
     status[GUARD_DUE] = status[RATE_STALE] = 0
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
@@ -359,7 +361,7 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     # nor is it asked while what this impact has lost says that the sum is far too long
     if a > 0.0 and not flight > min(2.0 * loss, 1.0) * tolerance / math.sqrt(a):
         rests, follows = time_to_rest(
-            mode, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], ax, ay, tolerance,
+            mode, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], shaking, tolerance,
             after,
         )  # fmt: skip
     hop(lane, z, t, flight)
@@ -395,8 +397,8 @@ def fresh_rates(lane, z, case, batch):
     y, rate = batch.states[case], batch.rates[case]
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
-    ax, ay = ground_accelerations(ground_of(z, lane), t)
-    rates(int(z[Z_MODE + lane]), y, batch.p[case], ax, ay, rate)
+    shaking = ground_accelerations(ground_of(z, lane), t)
+    rates(int(z[Z_MODE + lane]), y, batch.p[case], *shaking, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
 
@@ -580,9 +582,9 @@ def shake_all(z, times):
             t, h, ground = z[Z_T + lane], z[Z_H + lane], ground_of(z, lane)
             for j in range(PLACES):
                 if z[Z_KIND_X + lane] > 1.0:
-                    z[Z_AX + j * LANES + lane] = pulse(ground.x, t + times[j] * h)
+                    z[Z_AX + j * LANES + lane] = pulse(ground[0].row, t + times[j] * h)
                 if z[Z_KIND_Y + lane] > 1.0:
-                    z[Z_AY + j * LANES + lane] = pulse(ground.y, t + times[j] * h)
+                    z[Z_AY + j * LANES + lane] = pulse(ground[1].row, t + times[j] * h)
 
 
 @inlined

@@ -6,9 +6,11 @@ import math
 
 import numpy as np
 
-from rockeom.integrator.ground import ground_acceleration
+from rockeom.compiler.decorators import unrolled
+from rockeom.integrator.ground import ground_accelerations, shaking_at
 from rockeom.integrator.provided import (
     A_SQUARED,
+    AXES,
     DENSE_PLACE,
     DENSE_VELOCITY,
     ERROR_PLACE,
@@ -28,9 +30,8 @@ MOST_TURNS = 12  # of Newton's method
 
 # Places in k: the rates at the start, increments w of the velocities, the rates at the end
 W_AT = N_STATES
-GROUND_X = 4 * N_STATES
-GROUND_Y = GROUND_X + 3
-MATRIX_AT = GROUND_Y + 3
+GROUND = 4 * N_STATES  # at each stage
+MATRIX_AT = GROUND + 3 * AXES
 ORDER_AT = MATRIX_AT + SIZE * SIZE
 RIGHT_AT = ORDER_AT + SIZE
 JACOBIAN_AT = RIGHT_AT + SIZE
@@ -80,7 +81,7 @@ def solve(m, size, order, x):
         x[r] /= m[r * size + r]
 
 
-def differences(mode, y, p, ax, ay, w, f, other, jacobian):
+def differences(mode, y, p, shaking, w, f, other, jacobian):
     """Derivatives of the accelerations by the states, jacobian[i * N_STATES + j]."""
     for j in range(N_STATES):
         w[j] = y[j]
@@ -89,9 +90,9 @@ def differences(mode, y, p, ax, ay, w, f, other, jacobian):
         width = LEAST_JACOBIAN_STEP + JACOBIAN_STEP * abs(y[j])
         above, below = y[j] + width, y[j] - width
         w[j] = above
-        rates(mode, w, p, ax, ay, f)
+        rates(mode, w, p, *shaking, f)
         w[j] = below
-        rates(mode, w, p, ax, ay, other)
+        rates(mode, w, p, *shaking, other)
         w[j] = y[j]
         for i in range(N):
             jacobian[i * N_STATES + j] = (f[N + i] - other[N + i]) / (above - below)
@@ -107,20 +108,20 @@ def stage_state(s, h, y, w, state):
         state[N + i] = y[N + i] + w[s * N + i]
 
 
-def take_step(mode, t, h, y, p, gx, gy, rtol, atol, k, y_new):
+def take_step(mode, t, h, y, p, ground, rtol, atol, k, y_new):
     """One step from y at t, into y_new. k: the rates at t, and those at the new state on return.
 
     Returns the norm of the estimated error, 1 at the tolerance, or inf where Newton's method
     does not converge.
     """
     w, rate = k[W_AT : W_AT + SIZE], k[RATE_AT:OTHER_AT]
-    ax, ay = ground_acceleration(gx, t), ground_acceleration(gy, t)
+    shaking = ground_accelerations(ground, t)
     for s in range(3):
-        tau = t + STAGE_TIMES[s + 1] * h
-        k[GROUND_X + s] = ground_acceleration(gx, tau)
-        k[GROUND_Y + s] = ground_acceleration(gy, tau)
+        at_stage = ground_accelerations(ground, t + STAGE_TIMES[s + 1] * h)
+        for axis in unrolled(range(AXES)):
+            k[GROUND + 3 * axis + s] = at_stage[axis]
     differences(
-        mode, y, p, ax, ay, k[STATE_AT:RATE_AT], rate, k[OTHER_AT:ERROR_AT],
+        mode, y, p, shaking, k[STATE_AT:RATE_AT], rate, k[OTHER_AT:ERROR_AT],
         k[JACOBIAN_AT:STATE_AT],
     )  # fmt: skip
     converged = solve_stages(mode, h, y, p, rtol, atol, k)
@@ -130,12 +131,12 @@ def take_step(mode, t, h, y, p, gx, gy, rtol, atol, k, y_new):
             moved += A[2, s] * w[s * N + i]
         y_new[i] = y[i] + h * moved
         y_new[N + i] = y[N + i] + w[2 * N + i]
-    rates(mode, y_new, p, k[GROUND_X + 2], k[GROUND_Y + 2], rate)
+    rates(mode, y_new, p, *shaking_at(k, GROUND + 2, 3), rate)
     for i in range(N_STATES):
         k[N_STAGES * N_STATES + i] = rate[i]
     if not converged:
         return np.inf
-    return error_norm(mode, h, y, p, ax, ay, rtol, atol, k, y_new)
+    return error_norm(mode, h, y, p, shaking, rtol, atol, k, y_new)
 
 
 def stage_matrix(h, jacobian, matrix):
@@ -166,7 +167,7 @@ def solve_stages(mode, h, y, p, rtol, atol, k):
     for turn in range(MOST_TURNS):
         for s in range(3):
             stage_state(s, h, y, w, state)
-            rates(mode, state, p, k[GROUND_X + s], k[GROUND_Y + s], rate)
+            rates(mode, state, p, *shaking_at(k, GROUND + s, 3), rate)
             for r in range(3):
                 for i in range(N):
                     share = h * A[r, s] * rate[N + i]
@@ -205,7 +206,7 @@ def size_of_change(h, y, state, rtol, atol, change):
     return math.sqrt(total / (2 * SIZE))
 
 
-def error_norm(mode, h, y, p, ax, ay, rtol, atol, k, y_new):
+def error_norm(mode, h, y, p, shaking, rtol, atol, k, y_new):
     """The norm of the estimated error, 1 at the tolerance; inf where its matrix is singular."""
     w, jacobian = k[W_AT : W_AT + SIZE], k[JACOBIAN_AT:STATE_AT]
     matrix, order, right = k[MATRIX_AT:ORDER_AT], k[ORDER_AT:RIGHT_AT], k[RIGHT_AT:JACOBIAN_AT]
@@ -248,11 +249,11 @@ def error_norm(mode, h, y, p, ax, ay, rtol, atol, k, y_new):
             break
         for i in range(N_STATES):
             state[i] = y[i] + error[i]
-        rates(mode, state, p, ax, ay, rate)
+        rates(mode, state, p, *shaking, rate)
     return norm
 
 
-def dense_output(mode, t, h, y, p, gx, gy, k, coefficients):
+def dense_output(mode, t, h, y, p, ground, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     for i in range(N_STATES):
         coefficients[i] = y[i]

@@ -321,7 +321,8 @@ def error_text(
 """
 
 
-_STEP_ARGUMENTS = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
+_STEP_ARGUMENTS = "t, h, y, p, ground, rtol, atol, k, y_new"
+_SHAKING = "*shaking_at(k, GROUND + {}, N_ALL_STAGES)"
 
 
 def _step_body(
@@ -341,16 +342,14 @@ def _step_body(
     start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
     start += "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
     stages = "".join(
-        _stage(method, j, n, f"k[GROUND_X + {j}], k[GROUND_Y + {j}]", function, mode, still)
-        for j in range(1, s + 1)
+        _stage(method, j, n, _SHAKING.format(j), function, mode, still) for j in range(1, s + 1)
     )
     ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
     ends += "".join(f"    k[{s * size + i}] = v{s}_{i}\n" for i in range(n))
     ends += "".join(
         f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
     )
-    return f"""    ground_at_stages(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
-    ground_at_stages(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+    return f"""    ground_at_stages(ground, t, h, 1, N_STAGES + 1, k, GROUND)
     hh = h * h
 {start}{stages}{ends}{errors}    return error
 """
@@ -403,12 +402,10 @@ def step_text(
     provided += [f"accelerations_{m}" for m, _ in quick]
     return f'''import math
 
-from rockeom.integrator.ground import ground_at_stages
+from rockeom.integrator.ground import ground_at_stages, shaking_at
 from rockeom.integrator.provided import {", ".join(provided)}
 {method_header(method, method.stages, len(method.c))}
-# places behind the rates: the ground at each stage
-GROUND_X = N_ALL_STAGES * N_STATES
-GROUND_Y = GROUND_X + N_ALL_STAGES
+GROUND = N_ALL_STAGES * N_STATES  # place behind the rates: the ground at each stage
 
 
 def take_step(mode, {_STEP_ARGUMENTS}):
@@ -443,7 +440,7 @@ def _dense_text(method: Tableau, n: int) -> str:
         stages += start + recalled("a", range(j), n) + _moves(method, j, "", one)
         stages += f"{one}w[i], w[{n} + i], k[{j * size} + i] = q{j}, v{j}, v{j}\n"
         stages += f"""    ({names},) = accelerations(
-        mode, {states}, p, k[GROUND_X + {j}], k[GROUND_Y + {j}]
+        mode, {states}, p, {_SHAKING.format(j)}
     )
 """
     powers = start + recalled("a", range(total), n) + recalled("v", range(s + 1, total), 0)
@@ -457,10 +454,9 @@ def _dense_text(method: Tableau, n: int) -> str:
                 coefficient = f"h * (\n{one}    {terms}\n{one})"
             powers += f"{one}coefficients[{j * size + first} + i] = {coefficient}\n"
     return f'''
-def dense_output(mode, t, h, y, p, gx, gy, k, coefficients):
+def dense_output(mode, t, h, y, p, ground, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
-    ground_at_stages(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
-    ground_at_stages(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
+    ground_at_stages(ground, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND)
     hh = h * h
     w = np.empty({size})  # the state of a stage
 {stages}{powers}'''

@@ -18,10 +18,27 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.codes import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
-from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Floats2, Ints, entry, inlined
+from rockeom.compiler.decorators import (
+    Duals,
+    Duals2,
+    Duals3,
+    Floats,
+    Floats2,
+    Ints,
+    entry,
+    inlined,
+    unrolled,
+)
 from rockeom.integrator.full_contact import cannot_move
-from rockeom.integrator.ground import ground_accelerations, segment_at, segment_of
+from rockeom.integrator.ground import (
+    ground_accelerations,
+    ground_at,
+    segment_at,
+    segment_of,
+    tables,
+)
 from rockeom.integrator.provided import (
+    AXES,
     CONTACT_SIZE,
     N_ALL_STAGES,
     N_GUARDS,
@@ -37,9 +54,9 @@ from rockeom.integrator.provided import (
     take_step,
     value,
 )
-from rockeom.integrator.records import Case, Ground, Recorder, State
+from rockeom.integrator.records import Case, Ground, Recorder, Segment, State
 from rockeom.integrator.tolerances import BEND_OF_GUARD, SAME_RATES, SOON_IN_STEP
-from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
+from rockeom.integrator.transitions.candidates import GROUND_SIZE, ground_now_and_later, pass_on
 from rockeom.integrator.transitions.declared import stand, time_to_rest
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.integrator.transitions.zeno import time_of_bounces
@@ -52,12 +69,13 @@ below, less than two digits of its derivatives are known."""
 class Varied(NamedTuple):
     """The numbers of a motion with their derivatives.
 
-    horizontal, vertical : tables of the ground motion, empty where nothing in them varies; corners
-    : whether the ends of their segments do. p, ratio (1,) : as of `Case`. longest : of the steps in
-    which derivatives are propagated, see `take_parts`.
+    horizontal, transverse, vertical : tables of the ground motion, empty where nothing in them
+    varies; corners : whether the ends of their segments do. p, ratio (1,) : as of `Case`. longest :
+    of the steps in which derivatives are propagated, see `take_parts`.
     """
 
     horizontal: Duals2
+    transverse: Duals2
     vertical: Duals2
     corners: bool
     p: Duals
@@ -113,15 +131,13 @@ class Setup(NamedTuple):
 
 
 class Segments(NamedTuple):
-    """The segments of the ground that hold, without and with derivatives, and how they begin.
+    """The segments of the ground that hold, and how they begin.
 
-    tau_x, tau_y : derivatives of the times at which they begin; their values are zero.
+    tau : derivatives of the times at which they begin, along each axis; their values are zero.
     """
 
     ground: Ground
-    varied: Ground
-    tau_x: float
-    tau_y: float
+    tau: tuple[float, ...]
 
 
 class Progress(NamedTuple):
@@ -159,12 +175,12 @@ def propagate_tangents(
     """
     scratch = Scratch(
         rate=floats[0], y_later=floats[1], rate_later=floats[2],
-        stages=np.zeros(N_ALL_STAGES * (N_STATES + 2)), y_new=np.zeros(N_STATES),
+        stages=np.zeros(N_ALL_STAGES * (N_STATES + AXES)), y_new=np.zeros(N_STATES),
         y_before=np.zeros(N_STATES), y_after=np.zeros(N_STATES), y_moving=np.zeros(N_STATES),
         guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(CONTACT_SIZE),
     )  # fmt: skip
     setup = Setup(recorder, case, varied, out, scratch)
-    segments = first_segments(case, varied)
+    segments = first_segments(case)
     progress = Progress(event=0, step=0, query=0, impacts=0, length=0.0)
     while progress.step < len(recorder.steps) or progress.event < len(recorder.events):
         if event_is_next(progress, recorder):
@@ -206,8 +222,7 @@ def event_is_next(progress, recorder):
 
 @inlined
 def rates_at(mode, t, y, ground, p, out):
-    ax, ay = ground_accelerations(ground, t)
-    rates(mode, y, p, ax, ay, out)
+    rates(mode, y, p, *ground_accelerations(ground, t), out)
 
 
 @inlined
@@ -220,48 +235,40 @@ def set_values(y, values):
 # -- the ground ------------------------------------------------------------------------------------
 
 
-def first_segments(case, varied):
-    n_x, x, varied_x = varied_segment(case.horizontal, varied.horizontal, 0, 0.0)
-    n_y, y, varied_y = varied_segment(case.vertical, varied.vertical, 0, 0.0)
-    tau = moving(0.0, 0.0)
-    return Segments(
-        Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x=tau, tau_y=tau
-    )
+def first_segments(case):
+    still = tuple(moving(0.0, 0.0) for _ in unrolled(range(AXES)))
+    return Segments(ground_at(0.0, case), still)
 
 
 @inlined
 def segments_at(t, mode, segments, setup):
-    """The segments that hold at t and after it; the state crosses corners at their beginnings.
-
-    Written for each direction by itself: a record with derivatives is long, and each step would
-    copy it once more.
-    """
-    n_x, x, varied_x = segments.ground.n_x, segments.ground.x, segments.varied.x
-    n_y, y, varied_y = segments.ground.n_y, segments.ground.y, segments.varied.y
-    tau_x, tau_y, corners = segments.tau_x, segments.tau_y, setup.varied.corners
-    if t >= x[1]:
-        tau_x = varied_x[1] - value(varied_x[1])
-        n_x, x, varied_x = varied_segment(setup.case.horizontal, setup.varied.horizontal, n_x, t)
-        if corners:
-            cross_corner(t, mode, segments.ground, Ground(n_x, x, n_y, y), tau_x, setup)
-    if t >= y[1]:
-        tau_y = varied_y[1] - value(varied_y[1])
-        before = Ground(n_x, x, n_y, y)
-        n_y, y, varied_y = varied_segment(setup.case.vertical, setup.varied.vertical, n_y, t)
-        if corners:
-            cross_corner(t, mode, before, Ground(n_x, x, n_y, y), tau_y, setup)
-    return Segments(Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x, tau_y)
+    """The segments that hold at t and after it; the state crosses corners at their beginnings."""
+    ground, tau = segments.ground, segments.tau
+    motions, along = tables(setup.case), tables(setup.varied)
+    for axis in unrolled(range(AXES)):
+        if t >= ground[axis].row[1]:
+            before, end = ground, varied_segment(ground[axis], along[axis]).row[1]
+            start, new = end - value(end), segment_at(motions[axis], ground[axis].number, t)
+            ground = tuple(new if i == axis else ground[i] for i in unrolled(range(AXES)))
+            tau = tuple(start if i == axis else tau[i] for i in unrolled(range(AXES)))
+            if setup.varied.corners:
+                cross_corner(t, mode, before, ground, start, setup)
+    return Segments(ground, tau)
 
 
-def varied_segment(table, varied_table, n, t):
-    """(n, row, row with its derivatives) of the segment that holds at t and after it.
+@inlined
+def varied_ground(ground, varied):
+    """Segments with their derivatives; a table with derivatives that is empty changes nothing."""
+    motions = tables(varied)
+    return tuple(varied_segment(ground[axis], motions[axis]) for axis in unrolled(range(AXES)))
 
-    A table with derivatives that is empty changes nothing.
-    """
-    n, row = segment_at(table, n, t)
-    if n < varied_table.shape[0]:
-        return n, row, segment_of(varied_table, n)
-    return n, row, row
+
+@inlined
+def varied_segment(segment, table):
+    """A segment with its derivatives."""
+    if segment.number < table.shape[0]:
+        return Segment(segment.number, segment_of(table, segment.number))
+    return segment
 
 
 def cross_corner(t, mode, before, after, tau, setup):
@@ -282,7 +289,8 @@ def cross_corner(t, mode, before, after, tau, setup):
 def cross_step(progress, segments, setup):
     """Behind a recorded step; the states at the times within it are written."""
     recorder, out, y_new = setup.recorder, setup.out, setup.scratch.y_new
-    i, query, along = progress.step, progress.query, segments.varied
+    i, query = progress.step, progress.query
+    along = varied_ground(segments.ground, setup.varied)
     mode, t, length = recorder.step_modes[i], recorder.steps[i, 0], recorder.steps[i, 1]
     start = recorder.step_states[i, 0]
     set_values(out.y, start)
@@ -329,7 +337,7 @@ def take_parts(mode, t, part, parts, start, y, y_new, ground, setup):
         y[:N_STATES] = y_new
         now = t + i * part
         rates_at(mode, now, y, ground, p, stages)
-        take_step(mode, now, part, y, p, ground.x, ground.y, rtol, atol, stages, y_new)
+        take_step(mode, now, part, y, p, ground, rtol, atol, stages, y_new)
 
 
 # -- events ----------------------------------------------------------------------------------------
@@ -349,6 +357,7 @@ def cross_events(progress, segments, setup):
     i, impacts, step = progress.event, progress.impacts, progress.step
     event, y_recorded = event_at(i, recorder), recorder.event_states[i, 0]
     t, ground, p = event.time, segments.ground, setup.case.p
+    along = varied_ground(ground, setup.varied)
     set_values(y, y_recorded)
     rates_at(event.mode_before, t, y_recorded, ground, p, scratch.rate)
     code, tau = event_time_sensitivity(progress, segments, setup)
@@ -361,13 +370,11 @@ def cross_events(progress, segments, setup):
         if event.guard == STEPPED_OVER:
             return GRAZES, progress
         if event.kind == REST:  # as long after the last impact, at t, as those to come take
-            duration, mode = rest_after_impacts(event, t + tau, impacts, segments.varied, setup)
+            duration, mode = rest_after_impacts(event, t + tau, impacts, along, setup)
             tau += duration - value(duration)
             t = event.time
         else:
-            mode = mode_after_event(
-                event, t + tau, progress.length, impacts, segments.varied, setup
-            )
+            mode = mode_after_event(event, t + tau, progress.length, impacts, along, setup)
         if mode != event.mode_after:
             return OTHER_WAY, progress
         write_event(i, t + tau, setup)
@@ -406,14 +413,13 @@ def event_time_sensitivity(progress, segments, setup):
     rates before it are in `scratch.rate`.
     """
     event, y = event_at(progress.event, setup.recorder), setup.out.y
-    t, ground, along, g = event.time, segments.ground, segments.varied, setup.scratch.guards
+    t, ground, g = event.time, segments.ground, setup.scratch.guards
     fixed = moving(0.0, 0.0)
     if event.guard == STEPPED_OVER:
         return GRAZES, fixed
-    if not is_impact(event) and t == ground.x[0]:
-        return 0, segments.tau_x
-    if not is_impact(event) and t == ground.y[0]:
-        return 0, segments.tau_y
+    for axis in unrolled(range(AXES)):
+        if not is_impact(event) and t == ground[axis].row[0]:
+            return 0, segments.tau[axis]
     if t == 0.0:
         return 0, fixed
     y_recorded = setup.recorder.event_states[progress.event, 0]
@@ -421,8 +427,8 @@ def event_time_sensitivity(progress, segments, setup):
     if not falls_clearly(slope, event, y_recorded, progress.length, ground, setup):
         # its time is not known; where nothing changes there, none is asked for
         return (0 if nothing_changes(progress.event, ground, setup) else GRAZES), fixed
-    ax, ay = ground_accelerations(along, t)
-    guards(event.mode_before, y, setup.varied.p, ax, ay, g)
+    shaking = ground_accelerations(varied_ground(ground, setup.varied), t)
+    guards(event.mode_before, y, setup.varied.p, *shaking, g)
     return 0, (value(g[event.guard]) - g[event.guard]) / slope
 
 
@@ -441,8 +447,8 @@ def falls_clearly(slope, event, y, length, ground, setup):
     slope_later = guard_rate(event, t + ahead, later, rate_later, ground, setup)
     for j in range(N_STATES):
         later[j] = case.atol[j] + case.rtol * abs(y[j])
-    ax, ay = ground_accelerations(ground, t)
-    error = abs(guard_derivative(event, y, later, ax, ay, setup))
+    shaking = ground_accelerations(ground, t)
+    error = abs(guard_derivative(event, y, later, shaking, setup))
     # where it falls faster and faster it comes from where it was open: a short hop is no graze
     bend = max(slope_later - slope, 0.0) / ahead if ahead > 0.0 else 0.0
     return slope < 0.0 and not slope * slope <= DIGITS * error * bend
@@ -450,16 +456,16 @@ def falls_clearly(slope, event, y, length, ground, setup):
 
 def guard_rate(event, t, y, dy, ground, setup):
     """How fast the guard of an event changes along the motion."""
-    ax, ay = ground_accelerations(ground, moving(t, 1.0))
-    return guard_derivative(event, y, dy, ax, ay, setup)
+    shaking = ground_accelerations(ground, moving(t, 1.0))
+    return guard_derivative(event, y, dy, shaking, setup)
 
 
-def guard_derivative(event, y, dy, ax, ay, setup):
+def guard_derivative(event, y, dy, shaking, setup):
     """How fast the guard of an event changes where the state does so by dy."""
     state, g = setup.scratch.y_moving, setup.scratch.guards
     for j in range(N_STATES):
         state[j] = moving(y[j], dy[j])
-    guards(event.mode_before, state, setup.case.p, ax, ay, g)
+    guards(event.mode_before, state, setup.case.p, *shaking, g)
     return rate(g[event.guard])
 
 
@@ -489,10 +495,10 @@ def mode_after_event(event, now, length, impacts, ground, setup):
         return jump(mode, guard, case.law, ratio, y, p, out)
     else:
         ahead = SOON_IN_STEP * length
-        ax, ay = ground_accelerations(ground, now)
-        later_ax, later_ay = ground_accelerations(ground, value(now) + ahead)
-        accelerations = np.empty(5)
-        ground_now_and_later(ax, ay, later_ax, later_ay, ahead, accelerations)
+        shaking = ground_accelerations(ground, now)
+        later = ground_accelerations(ground, value(now) + ahead)
+        accelerations = np.empty(GROUND_SIZE)
+        ground_now_and_later(shaking, later, ahead, accelerations)
         points = setup.scratch.points
         follows, _ = pass_on(mode, guard, length, y, p, accelerations, case.rtol, points, out)
         return follows
@@ -508,13 +514,13 @@ def rest_after_impacts(event, now, impacts, ground, setup):
     case, varied, scratch = setup.case, setup.varied, setup.scratch
     mode, tolerance, p = event.mode_before, case.rest_tolerance, varied.p
     y, out, stands = scratch.y_before, scratch.y_after, scratch.y_new
-    ax, ay = ground_accelerations(ground, now)
+    shaking = ground_accelerations(ground, now)
     if N_POINTS > 0:
-        state = State(mode, y, p, ax, ay)
+        state = State(mode, y, p, shaking)
         return time_of_bounces(state, tolerance, case.rtol, scratch.points, out)
     else:
         rests, follows = time_to_rest(
-            mode, y, p, case.law, varied.ratio[0], impacts, ax, ay, tolerance, stands
+            mode, y, p, case.law, varied.ratio[0], impacts, shaking, tolerance, stands
         )
         stand(follows, now, rests, stands, p, ground, case.rtol, case.atol, scratch.stages, out)
         for j in range(N_STATES):

@@ -23,8 +23,10 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.compiler.decorators import inlined, rolled
+from rockeom.compiler.decorators import inlined, rolled, unrolled
+from rockeom.integrator.ground import shaking_at
 from rockeom.integrator.provided import (
+    AXES,
     ELEMENT_STATES,
     FEET_OF,
     GUARDS,
@@ -39,6 +41,7 @@ from rockeom.integrator.provided import (
     REVERSE,
     ROTATION,
     SHARED,
+    STILL,
     SUBJECTS,
     free_motion,
     guards,
@@ -93,16 +96,19 @@ from rockeom.integrator.transitions.points import (
 
 __fused__ = False
 
-# Places in `ground` (5,): the accelerations of the ground now, those a little later, and how much
-AX, AY, LATER_AX, LATER_AY, LATER = range(5)
+# Places in `ground`: the accelerations of the ground now, those a little later, and how much
+LATER = AXES
+HOW_MUCH = 2 * AXES
+GROUND_SIZE = HOW_MUCH + 1
 
+ALL_AT_ONCE = (1.0, 0.7, 0.9)[:AXES]  # accelerations of the ground, all others than one another
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 TIPPED = 2.0  # a block has come back from 1.7 times the angle at which its weight is balanced
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 
 
-def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
+def guard_noise(mode, index, y, p, shaking, h, b, stride):
     """Size of the rounding errors of a guard in a step h.
 
     For a gap, by the terms whose difference it is, and by what acts on it; for a force, by the
@@ -115,7 +121,7 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     contact, sizes, wanted = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS), np.empty(ROWS)
     point = SUBJECTS[mode][index]
     contact_data(y, p, mode, contact)
-    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
+    without_forces(y, p, shaking, mode, contact, wanted, sizes)
     if kind == LANDING:
         _, size = rate_of(contact, 2 * point, y, 0)
         push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[2 * point]
@@ -457,7 +463,7 @@ def closed_points(y, p, mode, contact, near, sliding):
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
     wanted = np.empty(ROWS)
-    without_forces(y, p, 0.0, 0.0, mode, contact, wanted, free)
+    without_forces(y, p, STILL, mode, contact, wanted, free)
     sizes_of(squared(contact, y[N_COORDINATES:]), contact, speeds)
     for i in range(N_POINTS):
         length = radius_of(contact, i)
@@ -478,7 +484,7 @@ def closed_points(y, p, mode, contact, near, sliding):
             near[i] = 0
 
 
-def fits_by_forces(mode, y, p, ax, ay):
+def fits_by_forces(mode, y, p, shaking):
     """The mode that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
 
     mode : that which the state's gaps and velocities tell of, with its elements.
@@ -492,8 +498,8 @@ def fits_by_forces(mode, y, p, ax, ay):
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
-    ground = np.empty(5)
-    same_ground(ax, ay, SOON_AT_START, ground)
+    ground = np.empty(GROUND_SIZE)
+    ground_now_and_later(shaking, shaking, SOON_AT_START, ground)
     return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, contact, sizes)
 
 
@@ -513,19 +519,14 @@ def hardly_apart(contact):
 
 
 @inlined
-def ground_now_and_later(ax, ay, later_ax, later_ay, later, ground):
-    """The ground with its accelerations now, and those a time `later`, into ground (5,)."""
-    ground[AX], ground[AY], ground[LATER_AX], ground[LATER_AY] = ax, ay, later_ax, later_ay
-    ground[LATER] = later
+def ground_now_and_later(shaking, later, how_much, ground):
+    """The accelerations of the ground now and a little `later`, into ground (GROUND_SIZE,)."""
+    for axis in unrolled(range(AXES)):
+        ground[axis], ground[LATER + axis] = shaking[axis], later[axis]
+    ground[HOW_MUCH] = how_much
 
 
-@inlined
-def same_ground(ax, ay, later, ground):
-    """Ground that has the same accelerations a little later."""
-    ground_now_and_later(ax, ay, ax, ay, later, ground)
-
-
-def without_forces(y, p, ax, ay, mode, contact, wanted, sizes):
+def without_forces(y, p, shaking, mode, contact, wanted, sizes):
     """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
 
     sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
@@ -534,8 +535,8 @@ def without_forces(y, p, ax, ay, mode, contact, wanted, sizes):
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     both, matrix = np.empty(2 * N_COORDINATES), contact[MATRIX:]
-    free_motion(y, p, ax, ay, mode, matrix, forces)
-    free_motion(y, p, 0.0, 0.0, mode, matrix, at_rest)
+    free_motion(y, p, *shaking, mode, matrix, forces)
+    free_motion(y, p, *STILL, mode, matrix, at_rest)
     for i in range(n):
         both[2 * i], both[2 * i + 1] = forces[i], at_rest[i]
     through_mass(matrix, both, 2)
@@ -555,12 +556,13 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     """The mode whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `mode` has come to its end, so that it follows only where nothing else does.
-    ground (5,) : where several modes move alike, their margins a little later decide between them.
-    rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
-    nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
+    ground (GROUND_SIZE,) : where several modes move alike, their margins a little later decide
+    between them. rtol : the relative tolerance of the motion, by whose error a mode must fit where
+    none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
     wanted, fitting = np.empty(ROWS), np.empty(len(POINT_STATES), np.int64)
-    whole = without_forces(y, p, ground[AX], ground[AY], mode, contact, wanted, sizes)
+    shaking = shaking_at(ground, 0, 1)
+    whole = without_forces(y, p, shaking, mode, contact, wanted, sizes)
     follows = IMPOSSIBLE
     for turn in range(2):
         # the state after many steps is off by more than an event's time
@@ -593,16 +595,17 @@ def best_later(mode, ends, near, sliding, sizes, fitting, several, y, p, ground)
 
     fitting : its first `several` numbers are these modes. sizes : of forces and accelerations now.
     """
-    n, tau = N_COORDINATES, ground[LATER]
+    n, tau = N_COORDINATES, ground[HOW_MUCH]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
     contact, of_then = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
-    rates(fitting[0], y, p, ground[AX], ground[AY], dy)
+    shaking, later = shaking_at(ground, 0, 1), shaking_at(ground, LATER, 1)
+    rates(fitting[0], y, p, *shaking, dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
     contact_data(w, p, mode, contact)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, of_then)
+    without_forces(w, p, later, mode, contact, wanted, of_then)
     follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
@@ -655,14 +658,14 @@ def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
     return meet(mode, guard, near, y, p, ground, rtol, contact, out)
 
 
-def slow_landing(mode, near, y, p, ax, ay, contact):
+def slow_landing(mode, near, y, p, shaking, contact):
     """How slow a landing is at which it does not matter what follows, see `collide`.
 
     The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
     of gyration, as of bounces that end at once.
     """
     sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
+    without_forces(y, p, shaking, mode, contact, wanted, sizes)
     slowest = np.inf
     for i in range(N_POINTS):
         if near[i] == 1:  # the force that holds a point, times the length
@@ -726,8 +729,8 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
-    g = np.empty(N_GUARDS + N_PARTS)
-    guards(follows, out, p, ground[AX], ground[AY], g)
+    g, shaking = np.empty(N_GUARDS + N_PARTS), shaking_at(ground, 0, 1)
+    guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
 
 
@@ -752,10 +755,10 @@ def closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes):
 def nothing_moves(mode, y, p):
     """Whether no acceleration of the ground moves anything in a mode, in a state at rest.
 
-    Accelerations are sums of a part of each of the ground's, and of none: two are tried at once.
+    Accelerations are sums of a part of each of the ground's, and of none: all are tried at once.
     """
     dy = np.empty(N_STATES)
-    rates(mode, y, p, 1.0, 0.7, dy)
+    rates(mode, y, p, *ALL_AT_ONCE, dy)
     moves = False
     for i in range(N_STATES):
         moves = moves or dy[i] != 0.0
@@ -767,7 +770,7 @@ def held_upright(mode, y, p):
     if abs(y[ROTATION + N_COORDINATES]) > NO_TURN:
         return False
     dy = np.empty(N_STATES)
-    rates(mode, y, p, 0.0, 0.0, dy)
+    rates(mode, y, p, *STILL, dy)
     held = False
     for i in range(N_POINTS):
         held = held or POINT_STATES[mode][i] != OPEN

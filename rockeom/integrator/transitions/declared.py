@@ -7,7 +7,7 @@ import numpy as np
 
 from rockeom.codes import RATIO, UNEVEN
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import (
     N_STATES,
     ROTATION,
@@ -53,7 +53,7 @@ class RockingFlight(NamedTuple):
     loss: float
 
 
-def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
+def time_to_rest(mode, y, p, law, ratio, impacts, shaking, tolerance, out):
     """(time, mode): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
@@ -78,7 +78,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     for turn in range(MOST_FLIGHTS_TO_REST):
         before, last = last, this
         pairs = not pairs
-        rates(mode, w, p, ax, ay, out)
+        rates(mode, w, p, *shaking, out)
         a, v = -SIDES[mode] * out[ROTATION_RATE], abs(w[ROTATION_RATE])
         if not a > 0.0:
             return np.inf, mode
@@ -86,7 +86,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         total += this.time
         if total > tolerance / math.sqrt(a):
             return np.inf, mode
-        rates(held, w, p, ax, ay, smooth)
+        rates(held, w, p, *shaking, smooth)
         fly_to_impact(this.time, out, smooth, w, kick)
         series = pairs and turn > 2 and flights_are_geometric(this, last, before, v, FADED * start)
         if v <= EPS * start or turn == MOST_FLIGHTS_TO_REST - 1 or series:
@@ -152,8 +152,7 @@ def stand(mode, t, h, y, p, ground, rtol, atol, k, y_new):
         y_new[i] = y[i]
     if h == 0.0:
         return True
-    gx, gy = ground.x, ground.y
-    rates(mode, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), k)
-    error = take_step(mode, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+    rates(mode, y, p, *ground_accelerations(ground, t), k)
+    error = take_step(mode, t, h, y, p, ground, rtol, atol, k, y_new)
     y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
     return error <= 1.0

@@ -18,6 +18,7 @@ from rockeom.integrator.provided import (
     N_POINTS,
     N_STAGES,
     N_STATES,
+    STILL,
     SUBJECTS,
     guards,
     points,
@@ -167,7 +168,7 @@ def to_landing(mode, guard, y, p, dy):
     """
     contact, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, contact)
-    guards(mode, y, p, 0.0, 0.0, g)
+    guards(mode, y, p, *STILL, g)
     point = SUBJECTS[mode][guard]
     rate = contact[point * POINT + 1]
     if not rate < 0.0:
@@ -180,7 +181,7 @@ def is_rounding(mode, guard, y, p):
     """Whether a gap is closed but for the rounding errors of the places of all points."""
     contact, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, contact)
-    guards(mode, y, p, 0.0, 0.0, g)
+    guards(mode, y, p, *STILL, g)
     return abs(g[guard]) <= gap_rounding(contact, y)
 
 

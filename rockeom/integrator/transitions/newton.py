@@ -6,7 +6,8 @@ candidates.py, see `rockeom.integrator.program`.
 
 from rockeom.codes import AMBIGUOUS
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.transitions.candidates import AX, AY, collide, slow_landing
+from rockeom.integrator.ground import shaking_at
+from rockeom.integrator.transitions.candidates import collide, slow_landing
 
 __fused__ = False
 
@@ -20,6 +21,7 @@ def landed(mode, near, y, p, ground, contact, out):
     """
     as_said = collide(mode, near, 0.0, contact, out)
     if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
-        slowest = slow_landing(mode, near, y, p, ground[AX], ground[AY], contact)
+        shaking = shaking_at(ground, 0, 1)
+        slowest = slow_landing(mode, near, y, p, shaking, contact)
         as_said = collide(mode, near, slowest, contact, out)
     return as_said

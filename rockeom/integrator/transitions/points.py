@@ -12,6 +12,7 @@ from rockeom.integrator.provided import (
     N_PARTS,
     N_POINTS,
     N_STATES,
+    STILL,
     free_motion,
     point_laws,
     points,
@@ -184,7 +185,7 @@ def contact_data(y, p, mode, contact):
     matrix, spread, coupling = contact[MATRIX:], contact[SPREAD:], contact[COUPLING:]
     points(y, p, contact)
     point_laws(p, contact[LAWS:])
-    free_motion(y, p, 0.0, 0.0, mode, matrix, forces)
+    free_motion(y, p, *STILL, mode, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
             spread[i * ROWS + 2 * r] = contact[r * POINT + 5 + i]

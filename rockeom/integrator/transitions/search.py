@@ -7,6 +7,7 @@ import numpy as np
 
 from rockeom.codes import (
     AMBIGUOUS,
+    BOUND,
     CHATTER,
     IMPOSSIBLE,
     LANDING,
@@ -20,11 +21,12 @@ from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import KINDS, N_STAGES, N_STATES
-from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
 from rockeom.integrator.tolerances import SAME_INSTANT, SOON_IN_STEP
 from rockeom.integrator.transitions.candidates import (
+    GROUND_SIZE,
     fits_by_forces,
     ground_now_and_later,
     guard_noise,
@@ -50,9 +52,9 @@ EXTRAPOLATES = True
 
 
 @inlined
-def initial_mode_is_one(mode, y, p, ax, ay):
+def initial_mode_is_one(mode, y, p, shaking):
     """Whether no other mode may begin in a state."""
-    return fits_by_forces(mode, y, p, ax, ay) != AMBIGUOUS
+    return fits_by_forces(mode, y, p, shaking) != AMBIGUOUS
 
 
 @inlined
@@ -102,6 +104,8 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     Events without end at one instant, and one that nothing may follow, are stepped over.
     """
     rest = Rest(np.inf, motion.mode, False)
+    if KINDS[motion.mode][guard] == BOUND:
+        return end_at_bound(motion, guard, a, recorder), rest
     if motion.idle > MOST_IDLE:
         outcome = CHATTER
         if motion.follows < 0:  # the impacts have an end, but nothing that may follow it
@@ -113,10 +117,10 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
     tau = SOON_IN_STEP * length
-    ax, ay = ground_accelerations(ground, motion.t)
-    later_ax, later_ay = ground_accelerations(ground, motion.t + tau)
-    accelerations = np.empty(5)
-    ground_now_and_later(ax, ay, later_ax, later_ay, tau, accelerations)
+    shaking = ground_accelerations(ground, motion.t)
+    later = ground_accelerations(ground, motion.t + tau)
+    accelerations = np.empty(GROUND_SIZE)
+    ground_now_and_later(shaking, later, tau, accelerations)
     mode, closed = pass_on(
         motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.contact, a.after
     )
@@ -135,8 +139,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
 @inlined
 def state_of(motion, ground, case, a):
     """The state of a motion between two steps, with the ground there."""
-    ax, ay = ground_accelerations(ground, motion.t)
-    return State(motion.mode, a.y, case.p, ax, ay)
+    return State(motion.mode, a.y, case.p, ground_accelerations(ground, motion.t))
 
 
 @inlined
@@ -190,11 +193,11 @@ def just_closed(closed, i):
 
 
 @inlined
-def grain_of(mode, index, ax, ay, h, b, stride, case, a):
+def grain_of(mode, index, shaking, h, b, stride, case, a):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
     if KINDS[mode][index] == SWITCH:
         return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
-    return guard_noise(mode, index, a.y, case.p, ax, ay, h, b, stride)
+    return guard_noise(mode, index, a.y, case.p, shaking, h, b, stride)
 
 
 @inlined

@@ -5,7 +5,7 @@ The contract of transitions, which search.py fulfils for points that may open, s
 
 import numpy as np
 
-from rockeom.codes import CHATTER, IMPACT, UPLIFT
+from rockeom.codes import BOUND, CHATTER, IMPACT, UPLIFT
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
@@ -29,7 +29,7 @@ from rockeom.integrator.provided import (
     jump,
     rates,
 )
-from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, records_steps
 from rockeom.integrator.rounding import noise_of
 from rockeom.integrator.tolerances import LEAST_PRODUCT
@@ -42,7 +42,7 @@ EXTRAPOLATES = not LOCALISED  # whether the end of a step may be moved on its qu
 
 
 @inlined
-def initial_mode_is_one(mode, y, p, ax, ay):
+def initial_mode_is_one(mode, y, p, shaking):
     """Whether no other mode may begin in a state."""
     return True
 
@@ -105,6 +105,8 @@ def time_to_landing(motion, step, case, a):
 def transition(motion, ground, guard, h, end, case, a, recorder):
     """(motion, rest): in the mode that follows the event of a guard; no rest follows from it."""
     before, kind = motion.mode, KINDS[motion.mode][guard]
+    if kind == BOUND:
+        return end_at_bound(motion, guard, a, recorder), Rest(np.inf, before, False)
     if motion.idle > MOST_IDLE:
         return motion._replace(outcome=CHATTER), Rest(np.inf, before, False)
     ratio = velocity_ratio_at(case.law, case.ratio, motion.impacts, a.y[ROTATION_RATE], case.p)
@@ -127,15 +129,15 @@ def zeno_time(motion, ground, end, case, a):
     rest = Rest(np.inf, mode, False)
     if SIDES[mode] == 0.0:
         return motion, rest
-    ax, ay = ground_accelerations(ground, t)
-    rates(mode, a.y, case.p, ax, ay, a.k)
+    shaking = ground_accelerations(ground, t)
+    rates(mode, a.y, case.p, *shaking, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
         stands = rocking(mode) and t < end and motion.h_next != 0.0
         stale, due = motion.rate_stale and not stands, motion.guard_due and not stands
         return motion._replace(rate_stale=stale, guard_due=due), rest
     time, follows = time_to_rest(
-        mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance,
+        mode, a.y, case.p, case.law, case.ratio, motion.impacts, shaking, case.rest_tolerance,
         a.after,
     )  # fmt: skip
     return motion._replace(follows=follows), Rest(time, follows, False)
@@ -152,9 +154,7 @@ def through_rest(motion, ground, rest, case, a, recorder):
         rest.mode, t, rest.time, a.after, case.p, ground, case.rtol, case.atol, a.k, a.y_new
     )
     if stands and records_steps(recorder) and t + rest.time > t:
-        dense_output(
-            rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients
-        )
+        dense_output(rest.mode, t, rest.time, a.after, case.p, ground, a.k, a.coefficients)
     for i in range(N_STATES):
         a.w[i] = a.y[i] + (a.y_new[i] - a.after[i])
     return rest.mode, stands
@@ -167,7 +167,7 @@ def just_closed(closed, i):
 
 
 @inlined
-def grain_of(mode, index, ax, ay, h, b, stride, case, a):
+def grain_of(mode, index, shaking, h, b, stride, case, a):
     """Size of the rounding errors of a guard."""
     return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
 

@@ -33,12 +33,13 @@ from rockeom.integrator.tolerances import (
     STEADY,
 )
 from rockeom.integrator.transitions.candidates import (
+    GROUND_SIZE,
     SIGN_OF,
     collide,
+    ground_now_and_later,
     is_smooth,
     meet,
     radius_of,
-    same_ground,
     select_by_forces,
     squared,
     without_forces,
@@ -141,7 +142,7 @@ def time_of_bounces(state, tolerance, rtol, contact, out):
     w, dy = np.empty(N_STATES), np.empty(N_STATES)
     bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     bounces = Bounces(bouncing, np.zeros(N_POINTS), near)
-    rates(mode, y, state.p, state.ax, state.ay, dy)
+    rates(mode, y, state.p, *state.shaking, dy)
     start, limit, lost = slow_bounces(state, tolerance, contact, dy, bounces.points)
     if start == 0.0:
         return np.inf, mode
@@ -171,7 +172,7 @@ def time_of_bounces(state, tolerance, rtol, contact, out):
 def any_lost(state, contact, dy):
     """Whether a flight that begins in a state is lost. known, dy : scratch."""
     lost = False
-    rates(state.mode, state.y, state.p, state.ax, state.ay, dy)
+    rates(state.mode, state.y, state.p, *state.shaking, dy)
     points(state.y, state.p, contact)
     for i in range(N_POINTS):
         lost = lost or hop_of(i, state.mode, state.y, contact, dy).lost
@@ -192,7 +193,7 @@ def sum_of_flights(state, start, limit, rtol, contact, dy, bounces, out):
     reference, w_reference = Reference(-1, -1, 0.0, 0.0, 0.0, 1, 1), np.empty(N_STATES)
     for number in range(MOST_FLIGHTS + 1):
         if number > 0:
-            rates(mode, w, state.p, state.ax, state.ay, dy)
+            rates(mode, w, state.p, *state.shaking, dy)
         if have_ended(mode, bounces, start, contact, w, dy):
             break
         flight = next_flight(mode, bounces, w, contact, dy)
@@ -265,11 +266,11 @@ def mode_after_flight(state, flight, rtol, contact, bounces, out):
     Points that leave by it bounce, too.
     """
     w, p = state.y, state.p
-    touched, ground = np.zeros(N_POINTS, np.int64), np.empty(5)
+    touched, ground = np.zeros(N_POINTS, np.int64), np.empty(GROUND_SIZE)
     touched[:N_POINTS] = bounces.near
     out[:N_STATES] = w
     points(w, p, contact)
-    same_ground(state.ax, state.ay, SOON_IN_FLIGHT * flight.time, ground)
+    ground_now_and_later(state.shaking, state.shaking, SOON_IN_FLIGHT * flight.time, ground)
     follows, _ = meet(state.mode, flight.guard, bounces.near, w, p, ground, rtol, contact, out)
     if follows < 0:
         return follows
@@ -317,7 +318,7 @@ def slow_bounces(state, tolerance, contact, dy, bouncing):
     if fast:
         return start, 0.0, any_is_lost
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    without_forces(y, state.p, state.ax, state.ay, mode, contact, wanted, sizes)
+    without_forces(y, state.p, state.shaking, mode, contact, wanted, sizes)
     most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
@@ -479,14 +480,14 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
     So are others whose flights are lost. state : until then; out : its y with them closed, and with
     slips ended, see `close_and_end_slips`. contact : scratch.
     """
-    here, w, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
+    here, w, p, shaking = state
     n, near = N_COORDINATES, bounces.near
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     out[:N_STATES] = w
     contact_data(out, p, here, contact)
-    rates(here, w, p, ax, ay, dy)
-    without_forces(out, p, ax, ay, here, contact, wanted, sizes)
+    rates(here, w, p, *shaking, dy)
+    without_forces(out, p, shaking, here, contact, wanted, sizes)
     for i in range(N_POINTS):
         lost = hop_of(i, here, w, contact, dy).lost
         closed = lost or bounces.points[i] == 1 or POINT_STATES[here][i] != OPEN
@@ -508,8 +509,8 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
     close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out)
     points(out, p, contact)
-    ground = np.empty(5)
-    same_ground(ax, ay, SOON_AT_REST, ground)
+    ground = np.empty(GROUND_SIZE)
+    ground_now_and_later(shaking, shaking, SOON_AT_REST, ground)
     return select_by_forces(here, False, near, sliding, out, p, ground, rtol, contact, sizes)
 
 
@@ -564,7 +565,7 @@ def step_over(state, tolerance, longest, fits, rtol, contact, out):
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     mode, y, p = state.mode, state.y, state.p
     contact_data(y, p, mode, contact)
-    whole = without_forces(y, p, state.ax, state.ay, mode, contact, wanted, sizes)
+    whole = without_forces(y, p, state.shaking, mode, contact, wanted, sizes)
     time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
         time = min(time, math.sqrt(radius_of(contact, i) / sizes[2 * i]))
@@ -582,12 +583,12 @@ def step_of_moreau(state, time, whole, sizes, fits, rtol, contact, out):
     Velocities change by what moves the structure freely, and by impulses at the points that touch,
     which do not bounce. whole, sizes : of `without_forces`.
     """
-    mode, y, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
+    mode, y, p, shaking = state
     n, w, dy = N_COORDINATES, np.empty(N_STATES), np.empty(N_STATES)
     forces, near = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
     contact_data(y, p, mode, contact)
-    rates(mode, y, p, ax, ay, dy)
-    free_motion(y, p, ax, ay, mode, contact[MATRIX:], forces)
+    rates(mode, y, p, *shaking, dy)
+    free_motion(y, p, *shaking, mode, contact[MATRIX:], forces)
     through_mass(contact[MATRIX:], forces, 1)
     for i in range(n):
         massless = contact[MATRIX + i * n + i] == 0.0

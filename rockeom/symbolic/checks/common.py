@@ -4,12 +4,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
+import sympy as sp
+
 from rockeom.symbolic.model import Body
 
 _OUTPUTS = """
 t mode kinetic_energy gravitational_energy elastic_energy total_energy
-ground_acceleration vertical_ground_acceleration
-horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
+ground_acceleration transverse_ground_acceleration vertical_ground_acceleration
+horizontal_reaction transverse_reaction vertical_reaction left_reaction right_reaction
+displacement left_uplift right_uplift
 damping_loss friction_loss impact_loss ground_work force_work
 """
 RESPONSE = frozenset(_OUTPUTS.split())
@@ -64,9 +67,10 @@ def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
 def body_expressions(body: Body, where: str, may: str) -> Expressions:
     """The expressions of a body, whose outline is fixed to it."""
     yield f"mass{where}", body.mass, may
-    yield f"inertia{where}", body.inertia, may
-    yield f"rotation{where}", body.rotation, may
-    for axis, e in zip("xy", body.position, strict=True):
+    for what in ("inertia", "rotation"):
+        for e in sp.Matrix([[getattr(body, what)]]):
+            yield f"{what}{where}", e, may
+    for axis, e in zip("xyz", body.position, strict=False):
         yield f"{axis}{where}", e, may
     of = f"of the outline of body {body.name!r}"
     for corner in body.outline:

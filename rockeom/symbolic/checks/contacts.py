@@ -58,7 +58,8 @@ def names_of_contacts(of: ContactDeclaration) -> Names:
     """Names of internal variables, contacts, elements, bodies and forces."""
     named = [c.name for c in of.contacts] + [e.name for e in of.elements]
     items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
-    items += [("contact or element", name) for name in named]
+    named += of.bounds
+    items += [("contact, element or bound", name) for name in named]
     outputs, states = outputs_of(of), of.states
     bodies, forces = [b.name for b in of.bodies], [f.name for f in of.forces]
     distinct = [[*states, *outputs], named, bodies, forces]
@@ -83,8 +84,19 @@ def check_contacts(of: ContactDeclaration) -> None:
         raise ModelError(f"the rotation {of.rotation.name!r} is not in `coordinates`")
     if not of.bodies:
         raise ModelError("it has no bodies: declare the masses")
-    if not of.contacts and not of.switching:
-        raise ModelError("nothing touches: declare `contacts`, or `elements` that press")
+    axes = {len(b.position) for b in of.bodies}
+    if len(axes) > 1:
+        raise ModelError("some of its bodies have places (x, y), others (x, y, z): give all three")
+    if not of.contacts and not of.switching and not of.bounds:
+        raise ModelError(
+            "nothing touches: declare `contacts`, or `elements` that press, or by `bounds` where "
+            "the coordinates alone keep the bodies on what carries them"
+        )
+    if of.contacts and axes == {3}:
+        raise ModelError(
+            "its bodies move in space, and its contacts in the plane: leave `contacts` out, and "
+            "let the coordinates hold the bodies on the ground, as those of `space.wobble`"
+        )
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
             raise ModelError(
@@ -182,6 +194,8 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
         for value, displacement in f.components:
             yield f"value of force {f.name!r}", value, "qvz"
             yield f"displacement of force {f.name!r}", displacement, "q"
+    for name, e in of.bounds.items():
+        yield f"bound {name!r}", e, "q"
     for z, rate in of.rates.items():
         yield f"rate of {z.name!r}", rate, "qvz"
     for axis, e in zip("xy", of.load_point or (), strict=False):

@@ -40,7 +40,7 @@ from rockeom.symbolic.checks.modes import (
     names_of_modes,
 )
 from rockeom.symbolic.hybrid import SOURCED, HybridModel
-from rockeom.symbolic.model import GROUND, GROUND_X, GROUND_Y, Coordinate, Member
+from rockeom.symbolic.model import GROUND, Coordinate, Member
 from rockeom.symbolic.outputs import LOAD_POINT, names_of
 from rockeom.symbolic.statics import LOAD
 from rockeom.symbolic.valid import repeated
@@ -107,10 +107,8 @@ def _distinct_symbols(model: HybridModel) -> None:
         )
     reserved = {
         SIDE: "the side, sgn(theta)",
-        GROUND_X: "the ground's horizontal acceleration",
-        GROUND_Y: "the ground's vertical acceleration",
         LOAD: "the load of a pushover",
-    }
+    } | dict.fromkeys(model.shaking, "an acceleration of the ground")
     for symbol in reserved.keys() & set(symbols):
         raise ModelError(f"the symbol {symbol} is reserved for {reserved[symbol]}: choose another")
 
@@ -130,7 +128,7 @@ def _kinds(model: HybridModel) -> dict[sp.Basic, str]:
     for c in model.coordinates:
         kinds |= {c.position: PLACES, c.velocity: RATES, c.acceleration: ACCELERATIONS}
     kinds |= dict.fromkeys([SIDE, *model.switches], SIDED)
-    kinds |= {GROUND_X: SHAKING, GROUND_Y: SHAKING}
+    kinds |= dict.fromkeys(model.shaking, SHAKING)
     for f in model.functions:
         kinds[f.symbol if f.symbol.is_Symbol else f.symbol.func] = PLACES
     kinds |= {z.symbol: INTERNAL for z in model.internal}

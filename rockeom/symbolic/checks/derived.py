@@ -14,7 +14,6 @@ from rockeom.symbolic.checks.modes import side_of, words_of
 from rockeom.symbolic.evaluate import array_function
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 _SAMPLES = 200
 _NEGLIGIBLE = 1e-9
@@ -53,7 +52,7 @@ class _Sample:
             for x in (c.position, c.velocity, c.acceleration):
                 size = 10.0 ** rng.uniform(-3, 3, _SAMPLES)
                 self.values[x] = rng.choice([-1.0, 1.0], _SAMPLES) * size
-        for x in (GROUND_X, GROUND_Y):
+        for x in model.shaking:
             self.values[x] = rng.uniform(-1, 1, _SAMPLES)
 
     def __call__(

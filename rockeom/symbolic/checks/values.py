@@ -4,6 +4,7 @@ Each check raises ValueError, which names the declaration, the item and the reme
 """
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import combinations
 from typing import NamedTuple
 
 import sympy as sp
@@ -15,6 +16,20 @@ from rockeom.symbolic.contacts import Contact
 from rockeom.symbolic.elements import Element
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
+
+FLAT = sp.Rational(1, 10**12)
+"""A part of the second moments of a body: rounding errors make that of a flat one negative."""
+
+
+def _extents(inertia: sp.ImmutableMatrix) -> Iterator[sp.Expr]:
+    """The principal minors of the second moments of masses with an inertia tensor.
+
+    Integrals of x**2, x y and so on over the mass: sums of squares, whatever the axes.
+    """
+    moments = inertia.trace() * (sp.S.Half + FLAT) * sp.eye(3) - inertia
+    for size in (1, 2, 3):
+        for rows in combinations(range(3), size):
+            yield moments.extract(rows, rows).det()
 
 
 def check_values(model: HybridModel, values: Mapping[str, float]) -> None:
@@ -50,8 +65,18 @@ def sizes(model: HybridModel) -> tuple[Size, ...]:
 
     def of_mode(mode: Mode) -> Iterator[Size]:
         for b in mode.bodies:
-            for what, value in (("mass", b.mass), ("moment of inertia", b.inertia)):
-                yield size(f"the {what} of body {b.name!r}", value, True, "it must not be negative")
+            of = f"of body {b.name!r}"
+            yield size(f"the mass {of}", b.mass, True, "it must not be negative")
+            if len(b.position) == 2:
+                remedy = "it must not be negative"
+                yield size(f"the moment of inertia {of}", b.inertia, True, remedy)
+                continue
+            for value in _extents(b.inertia):
+                remedy = "no masses have such a tensor: none of its principal moments may be above "
+                remedy += "the sum of the other two"
+                yield size(
+                    f"a principal minor of the second moments of mass {of}", value, True, remedy
+                )
         if mode.feet:
             left, right = (sp.sympify(mode.feet[f].position[0]) for f in ("left", "right"))
             width = model.in_mode((right - left).subs(upright), first_name(mode))

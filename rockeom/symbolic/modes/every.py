@@ -244,7 +244,7 @@ def _states(
         states_of = {g: ways.get(g, STICK) for g in groups} | dict.fromkeys(smooth, FRICTIONLESS)
         of_points = _words(model, {g: states_of[g] for g in sorted(states_of)})
         for elements, words in of_elements.items():
-            name = "_".join([*of_points, *words]) or "flight"
+            name = "_".join([*of_points, *words]) or model.open_mode
             yield ContactMode(name, tuple(points), elements, number)
 
 

@@ -83,7 +83,7 @@ def linearized(
     """The equations of a mode to first order, see `RockingModel.linearize`."""
     equations = model.equations(mode).map(lambda e: model.in_mode(e, mode))
     put = _state(Symbols.of(model), op_point or {})
-    ground = sp.Matrix([GROUND_X, GROUND_Y])
+    ground = sp.Matrix(model.shaking)
 
     def here(m: sp.Matrix) -> sp.Matrix:
         return m.xreplace(put).applyfunc(brief)

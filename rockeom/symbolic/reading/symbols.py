@@ -7,7 +7,6 @@ import sympy as sp
 from rockeom.numbers import explained
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.hybrid import HybridModel
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
 
 
 class Symbols(Mapping[str, sp.Symbol]):
@@ -54,7 +53,7 @@ class Symbols(Mapping[str, sp.Symbol]):
         by_name |= {z.name: z.symbol for z in model.internal}
         by_name |= {p.name: p.symbol for p in model.parameters}
         by_name |= {d.name: d.symbol for d in model.definitions}
-        return cls(by_name | {"a_x": GROUND_X, "a_y": GROUND_Y, "s": SIDE})
+        return cls(by_name | {str(a): a for a in model.shaking} | {"s": SIDE})
 
     def __getitem__(self, name: str) -> sp.Symbol:
         return self._by_name[name]

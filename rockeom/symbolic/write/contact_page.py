@@ -11,7 +11,7 @@ from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.fractions import cancelled, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import GROUND_ACCELERATIONS
 from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.kinematics import sign_of_slip
@@ -87,7 +87,7 @@ def _equation(
 ) -> list[Part]:
     """Accelerations and what does not depend on the ground left, the ground and pushes right."""
     forcing = sp.expand(forcing)
-    still = forcing.subs({GROUND_X: 0, GROUND_Y: 0})
+    still = forcing.subs(dict.fromkeys(GROUND_ACCELERATIONS, 0))
     static = still.subs(dict.fromkeys((c.velocity for c in of.coordinates), 0))
     resisting = {
         "velocity terms": sp.expand(static - still),
@@ -116,7 +116,7 @@ _LAWS = {
 
 def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
     """Contacts with their laws, and the energies of the free structure."""
-    blocks: list[Block] = [Heading(2, "Contacts")]
+    blocks: list[Block] = [Heading(2, "Contacts")] if of.contacts or of.switching else []
     for contact in of.contacts:
         gap, slip = contact.at(contact.side)
         friction = contact.law.friction
@@ -275,7 +275,7 @@ def _ends(mode: DerivedMode, notation: Notation) -> list[Block]:
         if state == OPEN:
             ends.append(f"the gap ${notation.write(mode.gap(i))}$ closes (landing)")
     ends += [e.ends() for e in mode.model.switching]
-    return [f"It ends when {', or '.join(ends)}."]
+    return [f"It ends when {', or '.join(ends)}."] if ends else []
 
 
 def _landing(mode: DerivedMode, notation: Notation) -> list[Block]:

@@ -18,11 +18,11 @@ from rockeom.symbolic.fractions import expanded, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.model import GROUND_ACCELERATIONS
 from rockeom.symbolic.text.page import LINE, Part, width
 from rockeom.symbolic.write.polar import compound_angles
 
-GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
+GROUND = {a: rf"\ddot {axis}_g" for a, axis in zip(GROUND_ACCELERATIONS, "xyz", strict=True)}
 MASS, INERTIA, FIELD, STRENGTH, LENGTH, POSITION, RADIUS, BRACKET, ANGLE, DOTTED = range(1, 11)
 
 
@@ -39,14 +39,14 @@ class Notation(LatexPrinter):
         self.moving = set(self.positions)
         heavy = [x for x in unit if unit[x] in ("kg", "kg m2")]
         for body in mode.bodies:
-            heavy += _symbols([body.mass]) + ([body.inertia] if body.inertia.is_Symbol else [])
+            heavy += _symbols([body.mass]) + [e for e in sp.Matrix([[body.inertia]]) if e.is_Symbol]
         heavy = list(dict.fromkeys(heavy))
         masses = set(_symbols(b.mass for b in mode.bodies))
         self.masses = [x for x in heavy if x in masses or unit.get(x) == "kg"]
         self.dotted = [c.acceleration for c in coordinates]
         for c in coordinates:
             self.dotted += [c.velocity, at_impact(c, AFTER), at_impact(c, BEFORE)]
-        field = [GROUND_X, GROUND_Y, *_symbols([mode.gravity])]
+        field = [*GROUND_ACCELERATIONS, *_symbols([mode.gravity])]
         self.leaders = [*self.dotted, *field]
         self.heavy = {x: i for i, x in enumerate(heavy)}
         places = [b.position for b in mode.bodies] + [f.position for f in mode.feet.values()]

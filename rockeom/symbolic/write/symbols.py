@@ -8,7 +8,7 @@ import sympy as sp
 from rockeom.symbolic.algebra import SIDE, angles_in
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, NamedFunction
+from rockeom.symbolic.model import NamedFunction
 from rockeom.symbolic.text.page import Block, Display, Heading, Table
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import polar_parameters
@@ -28,10 +28,12 @@ def symbols_of(
     rows += [row(z.symbol, z.name, z.unit, z.meaning) for z in model.internal]
     rows += [row(p.symbol, p.name, p.unit, p.meaning) for p in model.parameters]
     unit = "m/s2" if model.modes[0].gravity.free_symbols else "g"
-    rows += [
-        row(GROUND_X, "", unit, "horizontal ground acceleration, positive to the right"),
-        row(GROUND_Y, "", unit, "vertical ground acceleration, positive upwards"),
-    ]
+    *across, _ = model.shaking
+    words = ["horizontal ground acceleration, positive to the right"]
+    if len(across) > 1:
+        words = [f"{which} horizontal ground acceleration" for which in ("first", "second")]
+    words.append("vertical ground acceleration, positive upwards")
+    rows += [row(a, "", unit, meaning) for a, meaning in zip(model.shaking, words, strict=True)]
     if any(mode.has_side for mode in model.modes):
         side = rf"\operatorname{{sgn}} {notation.plain(model.rotation.position)}"
         rows.append(row(SIDE, "", "-", f"side, ${side}$"))

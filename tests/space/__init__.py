@@ -1,0 +1,1 @@
+"""Structures in space, against integrations in 40 digits that share nothing with the package."""
