@@ -713,7 +713,7 @@ class Function:
         self, loop: ast.For | ast.comprehension, of: ast.expr, do: Callable[[], Any]
     ) -> list[Any]:
         """The results of the rounds of a loop over constants, in which its name is one of them."""
-        numbers, target, given = self._maybe(of), loop.target, []
+        numbers, target, results = self._maybe(of), loop.target, []
         if numbers is None:
             self.refuse(of, _ALL_CONSTANTS)
         if not isinstance(target, ast.Name) or target.id in self.locals:
@@ -722,10 +722,10 @@ class Function:
         try:
             for number in numbers:
                 self._know({**outside, target.id: number})
-                given.append(do())
+                results.append(do())
         finally:
             self._know(outside)
-        return given
+        return results
 
     def _do_for(self, statement: ast.For) -> None:
         call, target = statement.iter, statement.target

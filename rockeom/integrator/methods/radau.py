@@ -80,7 +80,8 @@ def constants_text(n: int) -> str:
     # the rates of four stages and the new state, the ground, the rest as by the places below
     room = 4 * 2 * n + 6 + size * (size + 2) + 2 * n * n + 4 * 2 * n
     total = -(-room // (2 * n + 2))
-    # N_ALL_STAGES : as many as give room for the contents of k
+    # N_ALL_STAGES : as many as give room for the contents of k. That of a third axis, of 3 numbers,
+    # is in the further one that each stage has there
     return (
         method_header(method, 3, total)
         + f"""
