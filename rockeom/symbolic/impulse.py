@@ -23,7 +23,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, determinant, slopes, tidy
 from rockeom.symbolic.fractions import cancelled
-from rockeom.symbolic.lagrange import body_velocity, weights
+from rockeom.symbolic.lagrange import body_velocity, inertia
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
 from rockeom.symbolic.text.shown import Shown
@@ -134,12 +134,6 @@ class ImpulseMap(Shown):
         return all(tidy(d) == 0 for d in differences)
 
 
-def _velocity(mode: Mode, index: int) -> sp.Matrix:
-    """Velocity of the centroid of one body, then of its rotation."""
-    velocity = body_velocity(mode.bodies[index], mode.coordinates)
-    return sp.Matrix([*velocity.centroid, *velocity.spin])
-
-
 def momentum(mode: Mode) -> tuple[sp.Expr, ...]:
     """Momentum of all bodies along each axis, relative to the ground.
 
@@ -147,8 +141,8 @@ def momentum(mode: Mode) -> tuple[sp.Expr, ...]:
     """
     total = [sp.Integer(0)] * len(mode.bodies[0].position)
     for body in mode.bodies:
-        for i, v in enumerate(body_velocity(body, mode.coordinates).centroid):
-            total[i] += body.mass * v
+        velocity = body_velocity(body, mode.coordinates)
+        total = [p + body.mass * v for p, v in zip(total, velocity, strict=False)]
     return tuple(map(tidy, total))
 
 
@@ -165,15 +159,16 @@ def derive_impulse_map(
     # written for the side s of the source; the opposite edge is the target's
     flip = {SIDE: SIDE * before.side * after.side} if after.mode.has_side else {}
     closed = {rotation.position: 0}
-    n = len(after.mode.coordinates)
+    rates = [c.velocity for c in after.mode.coordinates]
+    n = len(rates)
     mass_matrix, momentum = sp.zeros(n, n), sp.zeros(n, 1)
     for i, body in enumerate(before.mode.bodies):
-        leaving, rates = _velocity(after.mode, i), [c.velocity for c in after.mode.coordinates]
+        leaving = body_velocity(after.mode.bodies[i], after.mode.coordinates)
         jacobian = sp.Matrix([slopes(e, rates) for e in leaving]).reshape(len(leaving), n)
         jacobian = jacobian.subs(flip, simultaneous=True).subs(closed)
-        arriving = _velocity(before.mode, i).subs(closed)
-        mass_matrix += jacobian.T * weights(body) * jacobian
-        momentum += jacobian.T * weights(body) * arriving
+        arriving = body_velocity(body, before.mode.coordinates).subs(closed)
+        mass_matrix += jacobian.T * inertia(body) * jacobian
+        momentum += jacobian.T * inertia(body) * arriving
 
     def written(m: sp.Matrix) -> sp.Matrix:
         return m.applyfunc(lambda e: tidy(written_out(e).subs(closed)))

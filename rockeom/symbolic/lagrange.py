@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import sympy as sp
 
@@ -213,28 +213,21 @@ def _along(expr: sp.Expr, rates: list[tuple[sp.Symbol, sp.Symbol]]) -> sp.Expr:
     return sum((slope * x_dot for slope, x_dot in found), sp.Integer(0))
 
 
-class Velocity(NamedTuple):
-    """Velocity of a body relative to the ground: of its centroid, and of its rotation.
+def body_velocity(body: Body, coordinates: tuple[Coordinate, ...]) -> sp.Matrix:
+    """Velocity of the centroid relative to the ground, and behind it that of the rotation.
 
-    spin : in the plane the clockwise rate; in space along the axes of the body.
+    Its last entry is the clockwise rate in the plane; in space the last three are the angular
+    velocity along the axes of the body.
     """
-
-    centroid: tuple[sp.Expr, ...]
-    spin: tuple[sp.Expr, ...]
-
-
-def body_velocity(body: Body, coordinates: tuple[Coordinate, ...]) -> Velocity:
-    """Velocity of a body relative to the ground."""
-    centroid = tuple(rate(e, coordinates) for e in body.position)
+    centroid = [rate(e, coordinates) for e in body.position]
     if not isinstance(body.rotation, sp.MatrixBase):
-        return Velocity(centroid, (rate(sp.sympify(body.rotation), coordinates),))
+        return sp.Matrix([*centroid, rate(sp.sympify(body.rotation), coordinates)])
     turning = body.rotation.T * body.rotation.applyfunc(lambda e: rate(e, coordinates))
-    spin = turning[2, 1], turning[0, 2], turning[1, 0]
-    return Velocity(centroid, tuple(map(tidy, spin)))
+    return sp.Matrix([*centroid, *map(tidy, (turning[2, 1], turning[0, 2], turning[1, 0]))])
 
 
-def weights(body: Body) -> sp.Matrix:
-    """Mass and inertia of a body by the entries of its velocity, as a matrix."""
+def inertia(body: Body) -> sp.Matrix:
+    """Matrix of mass and moments of inertia by the entries of `body_velocity`."""
     return sp.diag(*[body.mass] * len(body.position), body.inertia)
 
 
@@ -242,9 +235,7 @@ def kinetic_energy(mode: Moving) -> sp.Expr:
     total = sp.Integer(0)
     for body in mode.bodies:
         velocity = body_velocity(body, mode.coordinates)
-        spin = sp.Matrix(velocity.spin)
-        turning = (spin.T * sp.Matrix([[body.inertia]]) * spin)[0]
-        total += body.mass * sum(v**2 for v in velocity.centroid) / 2 + turning / 2
+        total += (velocity.T * inertia(body) * velocity)[0] / 2
     return total
 
 

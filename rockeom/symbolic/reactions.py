@@ -12,14 +12,13 @@ from rockeom.symbolic.model import shaking
 
 def total_reaction(mode: Mode) -> tuple[sp.Expr, ...]:
     """Force of the ground on all feet along each axis, by Newton's second law."""
-    ground = shaking(mode.bodies)
-    total = [sp.S.Zero] * (len(ground) - 2) + [-sp.sympify(force) for force in mode.beside_feet]
+    *across, up = shaking(mode.bodies)
+    field = (*across, up + mode.gravity)
+    total = [sp.S.Zero] * (len(across) - 1) + [-sp.sympify(force) for force in mode.beside_feet]
     for body in mode.bodies:
-        place = [mode.approximated(e) for e in body.position]
-        for i, (e, moved) in enumerate(zip(place, ground, strict=True)):
-            weight = mode.gravity if i == len(ground) - 1 else 0
-            along = rate(rate(e, mode.coordinates), mode.coordinates)
-            total[i] += body.mass * (along + moved + weight)
+        for i, e in enumerate(map(mode.approximated, body.position)):
+            moved = rate(rate(e, mode.coordinates), mode.coordinates)
+            total[i] += body.mass * (moved + field[i])
     return tuple(map(tidy, total))
 
 

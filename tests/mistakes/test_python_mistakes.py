@@ -500,8 +500,8 @@ DECLARATIONS = [
         "unit is 3", "a text",
     ),
     mistake(
-        SHAPE, lambda: symbolic.Body("b", sp.Symbol("m"), (0, 1, 2)), ValueError,
-        "position is (0, 1, 2)", "(x, y)",
+        SHAPE, lambda: symbolic.Body("b", sp.Symbol("m"), (0, 1, 2, 3)), ValueError,
+        "position is (0, 1, 2, 3)", "(x, y)",
     ),
     mistake(VALUE, lambda: symbolic.Rigid(restitution=2), ValueError, "restitution is 2", "0 to 1"),
     mistake(

@@ -237,7 +237,7 @@ def from_pivot(model: RockingModel, side: int, body: int) -> sp.Matrix:
 def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
     mode = model.mode(MODE[side])
     moving = body_velocity(mode.bodies[body], mode.coordinates)
-    return sp.Matrix(moving.centroid).subs(SIDE, side)
+    return moving[:2, :].subs(SIDE, side)
 
 
 def kinetic(model: RockingModel, side: int, *bodies: int) -> sp.Expr:
