@@ -1240,11 +1240,12 @@ class GroundMotion(metaclass=explained.Constructors):
         if wanted.period is not None:
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
-        if found == 0.0:
+        factor = wanted.value / found if found > 0.0 else math.inf
+        if math.isinf(factor):
             raise InputError("pga", of=self.name).says(
                 "no factor makes a motion of zero acceleration shake"
             )
-        return self.scaled(wanted.value / found)
+        return self.scaled(factor)
 
     def padded_to(self, duration: float) -> GroundMotion:
         """Motion with quiet time at its end, for a total duration.
