@@ -198,21 +198,15 @@ class Quantities:
         return quantities
 
     def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
-        """Extremes within the steps; those of a family are searched together.
-
-        States alone are there without an evaluation of the program.
-        """
+        """Extremes within the steps; those of a family are searched together."""
         missing: dict[str, list[str]] = {}
         for name in names:
             family = self.family(name)
             if name not in self.extremes:
                 missing.setdefault(family, []).append(name)
-        for family, some in missing.items():
-            states = set(some) <= {*self.structure.states}
-            together = some if family or states else self.main_names  # all in no more time
+        for some in missing.values():
             steps = self.steps(f"what {', '.join(some)} was at most")
-            largest = extremes(steps, self.columns(together))
-            self.extremes.update(zip(together, largest, strict=True))
+            self.extremes.update(zip(some, extremes(steps, self.columns(some)), strict=True))
         return {name: self.extremes[name] for name in names}
 
     @cached_property
