@@ -1241,7 +1241,7 @@ class GroundMotion(metaclass=explained.Constructors):
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
         factor = wanted.value / found if found > 0.0 else math.inf
-        if math.isinf(factor):
+        if not math.isfinite(value_of(factor)):
             raise InputError("pga", of=self.name).says(
                 "no factor makes a motion of zero acceleration shake"
             )
