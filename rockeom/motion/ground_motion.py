@@ -1240,12 +1240,12 @@ class GroundMotion(metaclass=explained.Constructors):
         if wanted.period is not None:
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
-        factor = wanted.value / found if found > 0.0 else math.inf
-        if not math.isfinite(value_of(factor)):
+        multiple = wanted.value / found if found > 0.0 else math.inf
+        if not math.isfinite(value_of(multiple)):
             raise InputError("pga", of=self.name).says(
                 "no factor makes a motion of zero acceleration shake"
             )
-        return self.scaled(factor)
+        return self.scaled(multiple)
 
     def padded_to(self, duration: float) -> GroundMotion:
         """Motion with quiet time at its end, for a total duration.

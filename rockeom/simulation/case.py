@@ -18,7 +18,7 @@ from rockeom.numbers.batch import values
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, require_type
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
-from rockeom.simulation.ground import MOTIONS, Ground, ground_of
+from rockeom.simulation.ground import COMPONENTS, Ground, ground_of
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.parameters import named_states
@@ -139,7 +139,7 @@ class Problems(NamedTuple):
         yield from (x[i] for name, x in self._asdict().items() if name not in _OF_TABLES)
 
 
-_OF_TABLES = {*MOTIONS, "h_rows", "t_rows", "v_rows"}
+_OF_TABLES = {*COMPONENTS, "h_rows", "t_rows", "v_rows"}
 
 
 class ProblemTangents(NamedTuple):

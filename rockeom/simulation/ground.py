@@ -17,10 +17,12 @@ from rockeom.structures.evaluation import gravity_of
 STILL = np.empty((0, 7))
 """The table of ground that stands still, which all share."""
 STILL.flags.writeable = False
-MOTIONS = Motions._fields
-"""The names of the motions of which the loop takes tables."""
+COMPONENTS = Motions._fields
+"""The components of the ground's motion, of which the loop takes tables."""
 PARTS = {"horizontal": "motion"}
 """The name of the part of a case that is a motion, where it has another one."""
+MOTIONS = tuple(PARTS.get(name, name) for name in COMPONENTS)
+"""The parts of a case that are ground motions."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,7 @@ class Ground:
         """The same for motions of these segments."""
         if not self.is_level:
             tables = tables_on(self.slope, self.axes, self.gravity, *tables)
-        still = dict.fromkeys(MOTIONS, STILL)
+        still = dict.fromkeys(COMPONENTS, STILL)
         return Motions(**still | dict(zip(self.motions, tables, strict=True)))
 
     @property

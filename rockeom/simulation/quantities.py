@@ -229,11 +229,12 @@ def _places(
     added = [of_both - of_weight for of_both, of_weight in zip(ground, weight, strict=True)]
     n = len(added)
     at_rest = _at_rest(structure)
+    names = _of_place(structure.module)
     for i, place in enumerate(structure.module.POSITIONS):
         at, velocity, acceleration = moved[:, i, :n]
         apart = [x - at_rest[i, j] for j, x in enumerate(at)]
         shaken = [x + a for x, a in zip(acceleration, added, strict=True)]
-        named = zip(_of_place(structure.module), (*apart, *velocity, *shaken), strict=True)
+        named = zip(names, (*apart, *velocity, *shaken), strict=True)
         quantities |= {f"{_word(place)}_{what}": value for (what, _), value in named}
     return quantities
 

@@ -19,6 +19,7 @@ import xarray as xr
 from rockeom.files import check_target, write
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import InputError, InputTypeError, described, installed_by, is_number
+from rockeom.simulation.ground import MOTIONS
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
@@ -195,7 +196,6 @@ def _netcdf(dataset: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     return made.getvalue()
 
 
-MOTIONS = ("motion", "transverse", "vertical")
 _OF_MOTION = ("name", "source", "dt", "is_vertical")
 
 

@@ -16,7 +16,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, require
 from rockeom.simulation.case import Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
-from rockeom.simulation.ground import MOTIONS, STILL, rows_after
+from rockeom.simulation.ground import COMPONENTS, STILL, rows_after
 from rockeom.simulation.method_selection import chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
@@ -228,7 +228,7 @@ class _Bench:
         status[MODE], self.atol[:] = q.mode, options.atol
         integrate = self.integrate
         integrate["t_end"], integrate["h_max"] = q.end, options.max_step
-        for name in MOTIONS:
+        for name in COMPONENTS:
             integrate[name] = getattr(q, name)
         integrate["fixed"] = options.steps_per_segment
         for bound in (integrate, self.falls):
@@ -247,7 +247,7 @@ class _Bench:
             parts.append(EventColumns(*(a[:noted].copy() for a in self.events)))
         outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
-            for name in MOTIONS:
+            for name in COMPONENTS:
                 self.falls[name] = rows_after(getattr(q, name))
             outcome = self._later(p, 0.1 * q.end)
         events = parts[0]

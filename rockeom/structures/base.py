@@ -341,10 +341,8 @@ class Structure(metaclass=explained.Constructors):
         >>> block.accelerations({"theta": 0.05}, ground_acceleration=2.0)["theta"]  # rad/s2
         -7.0264...
         """
-        ground = self._shaking(
-            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
-        )
-        at = self._at(state, mode, *ground)
+        shaking = ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        at = self._at(state, mode, *shaking)
         m, p = self.module, self.vector
         rates = evaluation.filled(m, p, "rates", m.N_STATES, at.modes, at.y, *at.ground)
         n = len(self.states) // 2
@@ -385,10 +383,8 @@ class Structure(metaclass=explained.Constructors):
         ValueError
             As `accelerations`.
         """
-        ground = self._shaking(
-            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
-        )
-        at = self._at(state, mode, *ground)
+        shaking = ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        at = self._at(state, mode, *shaking)
         values = evaluation.accelerations(self.module, self.vector, at.modes, at.y, *at.ground)
         return {name: of.reshape(*at.shape, of.shape[-1]) for name, of in values.items()}
 
@@ -675,10 +671,8 @@ class Structure(metaclass=explained.Constructors):
         >>> forces["left_reaction"]
         0.0
         """
-        ground = self._shaking(
-            ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
-        )
-        at = self._at(state, mode, *ground)
+        shaking = ground_acceleration, transverse_ground_acceleration, vertical_ground_acceleration
+        at = self._at(state, mode, *shaking)
         return at.shaped(self._values("reactions", at))
 
     def elements(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
@@ -772,8 +766,12 @@ class Structure(metaclass=explained.Constructors):
     def _values(self, function: str, at: _States) -> dict[str, np.ndarray]:
         return evaluation.at_states(self.module, self.vector, function, at.modes, at.y, *at.ground)
 
-    def _at(self, state: Mapping[str, Any], mode: str | None, *ground: Any) -> _States:
-        """A state, or many; where the ground's accelerations are given forces decide as well."""
+    def _at(self, state: Mapping[str, Any], mode: str | None, *shaking: Any) -> _States:
+        """A state, or many; where the ground's accelerations are given forces decide as well.
+
+        shaking : the accelerations along, across and up, or none.
+        """
+        ground = self._shaking(*shaking) if shaking else ()
         state = named_states("state", state, self.module)
         names = ground_accelerations(self.module)
         shaken = [

@@ -51,9 +51,8 @@ def _linear(m: GeneratedModule, p: np.ndarray, first: int) -> Iterator[np.ndarra
     forth, back = np.empty((2, *steps.shape))
     for mode in range(min(len(m.MODES), _MOST_LINEAR)):
         try:
-            with np.errstate(
-                all="ignore"
-            ):  # upright a round base has no inertia against a precession
+            # upright a round base has no inertia against a precession
+            with np.errstate(all="ignore"):
                 for step, after, before in zip(steps, forth, back, strict=True):
                     m.rates(mode, step, p, *still_ground(m), after)
                     m.rates(mode, -step, p, *still_ground(m), before)

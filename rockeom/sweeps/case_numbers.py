@@ -21,6 +21,7 @@ from rockeom.numbers.checks import InputError, is_number, near
 from rockeom.numbers.degrees import ANGLES, RADIANS, SUFFIX
 from rockeom.numbers.functions import Compound, mathematics
 from rockeom.simulation.case import Case
+from rockeom.simulation.ground import MOTIONS
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import AngularMomentum, EnergyRatio, Impulsive, VelocityRatio
@@ -35,9 +36,6 @@ PARTS = (
 
 FACTORS = ("scale", "time_scale")
 """Factors of the acceleration and the time of a motion, or of all motions of a case."""
-
-MOTIONS = ("motion", "transverse", "vertical")
-"""Parts of a case that are ground motions."""
 
 _IN_FULL = {f"{motion}.{name}" for motion in MOTIONS for name in (*FACTORS, "duration")}
 """Names that are never shortened: factors of motions, and the duration of the case."""

@@ -25,7 +25,7 @@ from rockeom.numbers.dual import (
 )
 from rockeom.numbers.functions import of_compounds
 from rockeom.simulation.case import Case, check_case, parted
-from rockeom.simulation.ground import MOTIONS, PARTS, Ground
+from rockeom.simulation.ground import COMPONENTS, PARTS, Ground
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
@@ -241,7 +241,7 @@ def _of_ground(
         for derivative, table in zip(derivatives, ground.tables_of(*moved), strict=True):
             derivative[j] = table.imag / _TINY
     parts = (np.moveaxis(derivative, 0, -1) for derivative in derivatives)
-    return dict(zip(MOTIONS, parts, strict=True))
+    return dict(zip(COMPONENTS, parts, strict=True))
 
 
 # -- quantities by name
@@ -309,7 +309,7 @@ class _Moving:
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
         """When there is a corner of the ground's motion that moves, within a tolerance."""
-        for name in MOTIONS:
+        for name in COMPONENTS:
             rows, along = getattr(self.path.problem, name), getattr(self.along, name)
             times, moves = rows[:, :KIND].ravel(), along[:, :KIND].reshape(-1, self.m)
             for i in np.flatnonzero((np.abs(times - t) <= tolerance) & moves.any(axis=1)):

@@ -32,7 +32,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
-from rockeom.simulation.ground import MOTIONS, ground_of
+from rockeom.simulation.ground import COMPONENTS, ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Outcome, Response, fall_is_judged
 from rockeom.simulation.simulate import simulated
@@ -239,7 +239,7 @@ class Motion:
     @property
     def grounds(self) -> list[np.ndarray]:
         """Derivatives of the tables of the ground's motions that have some: others are one zero."""
-        tables = (getattr(self.along, name) for name in MOTIONS)
+        tables = (getattr(self.along, name) for name in COMPONENTS)
         return [x for x in tables if any(x.strides)]
 
     @cached_property
@@ -300,7 +300,7 @@ class Motion:
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
-            tables = ((getattr(q, name), getattr(along, name)) for name in MOTIONS)
+            tables = ((getattr(q, name), getattr(along, name)) for name in COMPONENTS)
             rows = [_dual(*table, some) if shaken.size else _NO_ROWS for table in tables]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)

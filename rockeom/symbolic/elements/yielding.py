@@ -53,8 +53,8 @@ class Yielding:
     outputs: ClassVar = ("force", "elongation")
     positive: ClassVar = frozenset({"stiffness", "strength"})
     place: ClassVar[Point | None] = None
-    drawn: ClassVar = ""
     """None: a sketch shows members in its place."""
+    drawn: ClassVar = ""
     variable: InternalVariable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
