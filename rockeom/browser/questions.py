@@ -37,14 +37,15 @@ from rockeom.integrator.batches import at_rest, falls
 from rockeom.integrator.ground import ground_acceleration, segment_for
 from rockeom.integrator.loop import SCRATCH, integrate
 from rockeom.integrator.provided import (
+    N_MODES,
     N_STATES,
     ROTATION,
     ROTATION_RATE,
-    SIDES,
     energies,
     positions,
     powers,
     shapes,
+    side_of,
     statics,
 )
 from rockeom.integrator.records import Case, Recorder
@@ -258,8 +259,8 @@ def balance(p: Floats, numbers: Floats, angles: Floats, separatrix: Floats2):
 def only_mode(side):
     """The mode on a side, -1 where there is none or elements make several of it."""
     only = -1
-    for mode in range(len(SIDES)):
-        if SIDES[mode] == side:
+    for mode in range(N_MODES):
+        if side_of(mode) == side:
             if only >= 0:
                 return -1
             only = mode

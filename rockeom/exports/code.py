@@ -18,7 +18,7 @@ from rockeom.compiler.modules import Modules, Text, module_text, parsed, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.linking import ground_text
+from rockeom.integrator.linking import texts_of_modes
 from rockeom.integrator.schema import (
     PRELUDE,
     PROVIDED,
@@ -256,7 +256,7 @@ def code(module: GeneratedModule, language: str) -> str:
 def _described(module: GeneratedModule) -> Described:
     prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
     own = Text(f"{module.NAME}.py", source(module))
-    texts, provided = [*prelude, own], [own, ground_text(module)]
+    texts, provided = [*prelude, own], [own, *texts_of_modes(module, _written)]
     if getattr(module, "N_POINTS", 0):  # and does not move through elements alone
         texts.append(Text("impact", _OF_POINTS))
         which = "newton" if impact_law(module) == NEWTON else "impacts"

@@ -23,13 +23,13 @@ from rockeom.integrator.ground import ground_accelerations, rows_after, segment_
 from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
 from rockeom.integrator.provided import (
     AXES,
-    KINDS,
     N_STATES,
     ROTATION_RATE,
-    SIDES,
     energies,
+    kind_of,
     kinematics,
     reactions,
+    side_of,
     standing,
 )
 from rockeom.integrator.records import Batch, Case, Motions, Recorder
@@ -56,7 +56,7 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
     """
     if standing(mode, y, case.p):
         return False
-    rocks = SIDES[mode] != 0.0 and KINDS[mode][0] == IMPACT
+    rocks = side_of(mode) != 0.0 and kind_of(mode, 0) == IMPACT
     free = case
     if rocks:
         # a rocking motion has a time of its own, in which it comes back or falls

@@ -5,13 +5,13 @@ from rockeom.compiler.decorators import inlined, unrolled
 from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import (
     AXES,
-    GUARDS,
-    KINDS,
     N_PARTS,
     N_STATES,
-    SIDES,
     can_move,
     guards,
+    guards_in,
+    kind_of,
+    side_of,
 )
 from rockeom.integrator.tolerances import STAYS_ON_FEET
 
@@ -19,13 +19,13 @@ from rockeom.integrator.tolerances import STAYS_ON_FEET
 @inlined
 def cannot_move(mode, rate, y, p):
     """Whether a structure stands, at rest, and nothing but the loss of a contact may move it."""
-    if N_PARTS > 0 or SIDES[mode] != 0.0:
+    if N_PARTS > 0 or side_of(mode) != 0.0:
         return False
     for i in range(N_STATES):
         if rate[i] != 0.0:
             return False
-    for n in range(GUARDS[mode]):
-        kind = KINDS[mode][n]
+    for n in range(guards_in(mode)):
+        kind = kind_of(mode, n)
         if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
             return False
     return not can_move(mode, y, p)
@@ -45,9 +45,9 @@ def stands_until(mode, t, end, y, p, ground, g):
         tau = end if turn == 1 else t
         guards(mode, y, p, *ground_accelerations(ground, tau), g)
         size = 0.0
-        for n in range(GUARDS[mode]):
+        for n in range(guards_in(mode)):
             size += abs(g[n])
-        for n in range(GUARDS[mode]):
+        for n in range(guards_in(mode)):
             if not g[n] > STAYS_ON_FEET * size:
                 return False
     return True

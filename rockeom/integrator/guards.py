@@ -28,26 +28,26 @@ from rockeom.integrator.polynomials import (
 )
 from rockeom.integrator.provided import (
     FULL_CONTACT,
-    GUARDS,
-    KINDS,
     LOCALISED,
     N_GUARDS,
     N_PARTS,
     N_STAGES,
     N_STATES,
     NODES,
-    PARTS,
     QUARTIC,
     QUINTIC,
     ROTATION,
     ROTATION_RATE,
     SAMPLES_TO_BERNSTEIN,
-    SIDES,
     full_contact_guards,
     grain_of,
     guards,
+    guards_in,
     just_closed,
+    kind_of,
+    part_of,
     rates,
+    side_of,
 )
 from rockeom.integrator.records import Fall
 from rockeom.integrator.rounding import rounding
@@ -67,7 +67,7 @@ from rockeom.integrator.tolerances import (
 @inlined
 def rocking(mode):
     """Whether a mode ends by an impact and in no other way."""
-    return GUARDS[mode] == 1 and KINDS[mode][0] == IMPACT
+    return guards_in(mode) == 1 and kind_of(mode, 0) == IMPACT
 
 
 @inlined
@@ -174,10 +174,10 @@ def stays_held(mode, t, h, ground, case, a):
         guards_at(mode, t + NODES[m] * h, w, case.p, ground, g)
         for n_g in range(N_GUARDS + N_PARTS):
             b[8 * n_g + m] = g[n_g]
-    for n_g in range(GUARDS[mode]):
+    for n_g in range(guards_in(mode)):
         held = clearly_open(b, 8 * n_g)
-        if N_PARTS > 0 and PARTS[mode][n_g] >= 0:
-            part = 8 * PARTS[mode][n_g]
+        if N_PARTS > 0 and part_of(mode, n_g) >= 0:
+            part = 8 * part_of(mode, n_g)
             held = clearly_open(b, part) or clearly_open(b, part + 8)
         if not held:
             return False
@@ -218,7 +218,7 @@ def acts_beside(mode, guard, there, away):
 def beside_gap(mode, guard, there, away):
     """Whether a guard is a gap, or is closed where the gap is small beside the step's other end."""
     small = abs(there[ROTATION]) < 0.1 * abs(away[ROTATION])
-    return KINDS[mode][guard] == IMPACT or small
+    return kind_of(mode, guard) == IMPACT or small
 
 
 @inlined
@@ -231,23 +231,23 @@ def guard_polynomials(mode, t, h, ground, case, a):
     """Bernstein coefficients of all guards over the step of the dense output, into b (m * 8,)."""
     w, g, b = a.w, a.g, a.b
     sampled = False
-    for n in range(GUARDS[mode]):
-        if KINDS[mode][n] != IMPACT:
+    for n in range(guards_in(mode)):
+        if kind_of(mode, n) != IMPACT:
             sampled = True
             continue
         # the guard of an impact is the rotation, on its side: exactly the dense output
-        polynomial_of(ROTATION, SIDES[mode], a.coefficients, b, 8 * n)
+        polynomial_of(ROTATION, side_of(mode), a.coefficients, b, 8 * n)
     if not sampled:
         return
     for n in range(N_GUARDS + N_PARTS):
-        if n >= N_GUARDS or KINDS[mode][n] != IMPACT:
+        if n >= N_GUARDS or kind_of(mode, n) != IMPACT:
             for i in range(8):
                 b[8 * n + i] = 0.0
     for m in range(8):
         dense_at(a.coefficients, NODES[m], w)
         guards_at(mode, t + NODES[m] * h, w, case.p, ground, g)
         for n in range(N_GUARDS + N_PARTS):
-            if n >= N_GUARDS or KINDS[mode][n] != IMPACT:
+            if n >= N_GUARDS or kind_of(mode, n) != IMPACT:
                 for i in range(8):
                     b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
 
@@ -262,7 +262,7 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
     first = Fall(NEVER, -1, 0.0, False, False)
     b = a.b
     shaking = ground_accelerations(ground, t)
-    for i in range(GUARDS[mode]):
+    for i in range(guards_in(mode)):
         at_event = just_closed(closed, i)
         if i == landed or (landed >= 0 and at_event):
             continue
@@ -293,7 +293,7 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
 @inlined
 def is_whole(mode, guard):
     """Whether a guard has one polynomial, and not the larger of two parts."""
-    return N_PARTS == 0 or PARTS[mode][guard] < 0
+    return N_PARTS == 0 or part_of(mode, guard) < 0
 
 
 @inlined
@@ -303,7 +303,7 @@ def closed_but_for_rounding(mode, guard, shaking, h, case, a):
     if not start < 0.0 or not is_whole(mode, guard) or rocking(mode):
         return False
     near = grain_of(mode, guard, shaking, h, a.b, 8, case, a)
-    if KINDS[mode][guard] == IMPACT:
+    if kind_of(mode, guard) == IMPACT:
         near = GAP_ON_LANDING * case.fallen
     return start >= -near
 
@@ -312,8 +312,8 @@ def closed_but_for_rounding(mode, guard, shaking, h, case, a):
 def fall_of_guard(mode, guard, starts_closed, noise, a):
     """(place, row): where in a step a guard first falls, and the row of its polynomial in a.b."""
     if not is_whole(mode, guard):
-        return larger_falls(a.b, PARTS[mode][guard], starts_closed, noise, a.stack)
-    grain = EXACT if KINDS[mode][guard] == IMPACT else SAMPLED
+        return larger_falls(a.b, part_of(mode, guard), starts_closed, noise, a.stack)
+    grain = EXACT if kind_of(mode, guard) == IMPACT else SAMPLED
     return first_fall(a.b, 8 * guard, grain, starts_closed, noise, a.stack), guard
 
 
@@ -324,16 +324,16 @@ def settle(mode, t, h, closed, ground, case, a):
     cannot last. Impacts happen only in motion, and are left out; so are the guard through which the
     state has just come, and one that rounding left below zero while it rises.
     """
-    if GUARDS[mode] == 0 or rocking(mode):
+    if guards_in(mode) == 0 or rocking(mode):
         return -1
     due = -1
     moved = False
     w, g, rate = a.w, a.g, a.k
     shaking = ground_accelerations(ground, t)
     guards(mode, a.y, case.p, *shaking, g)
-    for i in range(GUARDS[mode]):
+    for i in range(guards_in(mode)):
         at_event = just_closed(closed, i)
-        kind = KINDS[mode][i]
+        kind = kind_of(mode, i)
         if at_event or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
@@ -384,10 +384,10 @@ def fell_before(mode, target, closed, h, y, g, b):
     An event at which a guard hardly touches zero is corrected by much: it may pass another one.
     Forces are judged by `settle` after it.
     """
-    for i in range(GUARDS[mode]):
-        if i == target or KINDS[mode][i] in (UPLIFT, LIFTING, SLIPPING):
+    for i in range(guards_in(mode)):
+        if i == target or kind_of(mode, i) in (UPLIFT, LIFTING, SLIPPING):
             continue
-        if KINDS[mode][i] == IMPACT:
+        if kind_of(mode, i) == IMPACT:
             fell = -g[i] > PASSED * h * abs(y[ROTATION_RATE])
         else:
             fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not just_closed(closed, i)

@@ -79,9 +79,9 @@ def linked(generated: GeneratedModule, method: str, part: str = LOOP, steps: boo
 
 def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> list[Text]:
     """How the modes of a structure follow one another, and what the texts of that ask of it."""
-    bounces = getattr(generated, "N_POINTS", 0) > 0  # and does not move through elements alone
+    bounces = _has_points_that_open(generated)
     which = [read(f"{INTEGRATOR}.transitions.{n}") for n in (_SEARCHED if bounces else _DECLARED)]
-    which.append(ground_text(generated))
+    which += texts_of_modes(generated, read)
     if not has_points(generated):
         return [Text("what follows from a structure", "N_POINTS = CONTACT_SIZE = 0\n"), *which]
     facts = f"from {INTEGRATOR}.transitions.points import CONTACT_SIZE\n"
@@ -91,9 +91,19 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
     return [Text("what follows from a structure", facts), *which]
 
 
-def ground_text(generated: GeneratedModule) -> Text:
-    """How many axes the ground has."""
-    return Text("the ground", f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n")
+def texts_of_modes(
+    generated: GeneratedModule, read: Callable[[str], Text] = module_text
+) -> list[Text]:
+    """What the number of a mode says, what points may do, and how many axes the ground has."""
+    names = ["modes_by_table", *(["points_in_plane"] if _has_points_that_open(generated) else [])]
+    ground = f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n"
+    texts = [read(f"{INTEGRATOR}.transitions.{name}") for name in names]
+    return [*texts, Text("the ground", ground)]
+
+
+def _has_points_that_open(generated: GeneratedModule) -> bool:
+    """Whether points may open; a structure may move through elements alone."""
+    return getattr(generated, "N_POINTS", 0) > 0
 
 
 def _step(

@@ -85,15 +85,14 @@ from rockeom.integrator.provided import (
     ERROR_EXPONENT,
     EXTRAPOLATES,
     FULL_CONTACT,
-    KINDS,
     N_ALL_STAGES,
     N_GUARDS,
+    N_MODES,
     N_PARTS,
     N_STAGES,
     N_STATES,
     QUIET_STEPS,
     ROTATION_RATE,
-    SIDES,
     certain_event,
     dense_output,
     free_flight,
@@ -101,8 +100,10 @@ from rockeom.integrator.provided import (
     hop_ends,
     initial_mode_is_one,
     is_rounding,
+    kind_of,
     longest_turn,
     rates,
+    side_of,
     take_step,
     through_rest,
     time_to_landing,
@@ -144,7 +145,7 @@ _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 _NOISE = _STACK + 640
-_CONTACT = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+_CONTACT = _NOISE + (N_MODES + 1) * (N_GUARDS + N_PARTS)
 SCRATCH = _CONTACT + CONTACT_SIZE
 
 END = N_STAGES * N_STATES  # where the rates at the end of a step begin in those of its stages
@@ -330,7 +331,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
             h = last - t
         taken += 1
         error = take_step(mode, t, h, y, p, now, case.rtol, case.atol, k, y_new)
-        gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
+        gap = gap_at_ends(side_of(mode), h, y, y_new, k)
         open_ = stays_open(gap, False)
         if FULL_CONTACT >= 0 and mode == FULL_CONTACT:
             open_ = stays_on_both_feet(t, h, y, y_new, k, p, now[0].row)
@@ -464,7 +465,7 @@ def judge(motion, ground, step, case, a, recorder):
     finite = math.isfinite(step.error) and finite_end(a.k)
     if not finite or step.error > step.bound:
         return refuse(motion, step, finite, case, a)
-    gap = gap_at_ends(SIDES[motion.mode], step.h, a.y, a.y_new, a.k)
+    gap = gap_at_ends(side_of(motion.mode), step.h, a.y, a.y_new, a.k)
     tried = step
     if tried.hops:
         if not hop_ends(motion, ground, tried, gap, case, a):
@@ -538,7 +539,7 @@ def land(motion, ground, step, case, a):
         not certain
         and fell_before(motion.mode, step.target, motion.closed, step.h, a.y_new, a.g, a.b)
     )
-    if misplaced and KINDS[motion.mode][step.target] == LANDING:
+    if misplaced and kind_of(motion.mode, step.target) == LANDING:
         misplaced = not is_rounding(motion.mode, step.target, a.y_new, case.p)
     if misplaced and step.h > SHORTEST_PART * step.longest:
         # the guard is not where its polynomial put it: look again in less time
@@ -598,7 +599,7 @@ def first_event_within(motion, ground, step, case, a):
     if fall.place * h <= instant:
         if rocking(mode):
             # it does not fall where both its rate and its acceleration open it
-            slow = a.y[ROTATION_RATE] == 0.0 or SIDES[mode] * a.k[ROTATION_RATE] > 0.0
+            slow = a.y[ROTATION_RATE] == 0.0 or side_of(mode) * a.k[ROTATION_RATE] > 0.0
         else:
             noise = noise_of(mode, fall.guard, case.p, case.fallen, a.noises, a.w, a.g)
             slow = fall.unclear or opens_soon(mode, fall.guard, t, h, ground, case, a, noise)
@@ -671,7 +672,7 @@ def accept(motion, step, case, a, recorder):
 @inlined
 def leave_mode(motion, ground, guard, h, case, a, recorder):
     """The motion after the event of a guard, and after a rest that may follow from it."""
-    kind, end = KINDS[motion.mode][guard], end_of_segments(ground, case)
+    kind, end = kind_of(motion.mode, guard), end_of_segments(ground, case)
     left, rest = transition(
         motion._replace(idle=motion.idle + 1), ground, guard, h, end, case, a, recorder
     )

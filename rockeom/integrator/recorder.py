@@ -2,7 +2,10 @@
 
 from rockeom.codes import LIFTING, OUT_OF_BOUNDS, UPLIFT
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.provided import KINDS, N_STATES
+from rockeom.integrator.provided import (
+    N_STATES,
+    kind_of,
+)
 
 
 def record_step(recorder, row, t, h, mode, coefficients):
@@ -30,7 +33,7 @@ def record_event(recorder, row, t, kind, before, after, guard, y, y_after):
 @inlined
 def enter_mode(motion, guard, mode, closed, a, recorder):
     """Record an event, and go on in the mode that follows, from the state after it."""
-    kind = KINDS[motion.mode][guard]
+    kind = kind_of(motion.mode, guard)
     record_event(recorder, motion.n_events, motion.t, kind, motion.mode, mode, guard, a.y, a.after)
     for i in range(N_STATES):
         a.y[i] = a.after[i]

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
-from rockeom.integrator.linking import ground_text
+from rockeom.integrator.linking import texts_of_modes
 from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still_ground
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
@@ -562,7 +562,7 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     compounds : numbers may be such, in those functions of them that find closed points.
     """
     own = vars(of_compounds(module) if compounds else module)
-    modules = Modules({PROVIDED: (ground_text(module),)})
+    modules = Modules({PROVIDED: tuple(texts_of_modes(module))})
     texts = modules.closure([module_text("rockeom.integrator.transitions.newton")])
     names = as_python(texts, own | {"ANGLES": angles(module)})
     if compounds:  # their globals: what the texts import is for numbers

@@ -119,20 +119,21 @@ from rockeom.integrator.loop import (
 from rockeom.integrator.provided import (
     DAMPING,
     GAP_SIDES,
-    KINDS,
     LANES,
+    N_MODES,
     N_PARAMETERS,
     N_STATES,
     NODE_PLACES,
     PLACES,
-    REVERSE,
     ROTATION,
     ROTATION_RATE,
-    SIDES,
     STAGE_PLACES,
     jump,
+    kind_of,
     opening_acceleration,
     rates,
+    reverse_of,
+    side_of,
     step_lanes,
 )
 from rockeom.integrator.records import Batch, Recorder, Segment
@@ -329,8 +330,8 @@ def impact(lane, z, w, batch, scratch):
         y[i] = after[i]
     if status[IMPACTS] > batch.max_impacts:
         batch.outcome[case] = TOO_MANY_IMPACTS
-    elif SIDES[mode] != 0.0:
-        closed = REVERSE[before][0]
+    elif side_of(mode) != 0.0:
+        closed = reverse_of(before, 0)
         mode, rests = fly_or_rest(lane, z, case, mode, speed, batch, scratch)
         if rests:
             closed = -1
@@ -355,7 +356,7 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
     # the flight to come, if short enough, is the first of those that time_to_rest adds up
-    a, v = -SIDES[mode] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+    a, v = -side_of(mode) * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
     flight, loss = 2.0 * v / a, 1.0 - v / speed
     rests, follows = np.inf, mode
     # nor is it asked while what this impact has lost says that the sum is far too long
@@ -493,12 +494,12 @@ def pass_rest(lane, z, w, case, batch):
     """
     y, p = batch.states[case], batch.p[case]
     up = down = (0.0, 0.0, 0.0)
-    for c in range(len(SIDES)):
-        if SIDES[c] != 0.0:
+    for c in range(N_MODES):
+        if side_of(c) != 0.0:
             still = opening_acceleration(c, y, p, 0.0, 0.0)
             by_x = opening_acceleration(c, y, p, 1.0, 0.0) - still
             by_y = opening_acceleration(c, y, p, 0.0, 1.0) - still
-            if SIDES[c] > 0.0:
+            if side_of(c) > 0.0:
                 up = (still, by_x, by_y)
             else:
                 down = (still, by_x, by_y)
@@ -539,7 +540,7 @@ def ready(lane, z, w, batch, recorder, scratch):
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
                 next_step(lane, z, case, batch, scratch)
             return True
-        if N_STATES == 2 and KINDS[int(z[Z_MODE + lane])][0] == UPLIFT:
+        if N_STATES == 2 and kind_of(int(z[Z_MODE + lane]), 0) == UPLIFT:
             t = z[Z_T + lane]
             pass_rest(lane, z, w, case, batch)
             if z[Z_T + lane] > t:

@@ -12,7 +12,6 @@ import numpy as np
 
 from rockeom.codes import (
     AMBIGUOUS,
-    FRICTIONLESS,
     IMPOSSIBLE,
     LANDING,
     LIFTING,
@@ -27,38 +26,37 @@ from rockeom.compiler.decorators import inlined, rolled, unrolled
 from rockeom.integrator.ground import shaking_at
 from rockeom.integrator.provided import (
     AXES,
-    ELEMENT_STATES,
-    FEET_OF,
-    GUARDS,
-    KINDS,
+    N_CANDIDATES,
     N_ELEMENTS,
     N_GUARDS,
     N_PARTS,
     N_POINTS,
     N_STATES,
-    POINT_STATES,
-    POSITIONS,
-    REVERSE,
     ROTATION,
-    SHARED,
     STILL,
-    SUBJECTS,
+    candidate_of,
     free_motion,
     guards,
+    guards_in,
+    impulses_of,
+    is_smooth,
     jump,
+    kind_of,
     landed,
+    margin_of,
+    point_state,
     points,
-    positions,
     rates,
+    reverse_of,
+    shares_with,
+    subject_of,
 )
 from rockeom.integrator.tolerances import (
-    APART,
     CLOSEST,
     FITS,
     FORCE_OF_LARGEST,
     GIVEN,
     GRAIN,
-    INDEPENDENT,
     LARGEST,
     LEAST_PUSH,
     LEAST_SIZE,
@@ -67,7 +65,6 @@ from rockeom.integrator.tolerances import (
     NO_GAP_IN_STEP,
     NO_GAP_OF_TERMS,
     NO_MOTION,
-    NO_TURN,
     PUSH,
     SAME_VELOCITIES,
     SLIP_WITH_HOP,
@@ -75,6 +72,7 @@ from rockeom.integrator.tolerances import (
     SOON_AT_START,
 )
 from rockeom.integrator.transitions.points import (
+    BIASES,
     CONTACT_SIZE,
     COUPLING,
     HALVES,
@@ -86,7 +84,6 @@ from rockeom.integrator.transitions.points import (
     SPREAD,
     along,
     contact_data,
-    eliminate,
     is_closed,
     put_on,
     rate_of,
@@ -104,8 +101,6 @@ GROUND_SIZE = HOW_MUCH + 1
 ALL_AT_ONCE = (1.0, 0.7, 0.9)[:AXES]  # accelerations of the ground, all others than one another
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
-TIPPED = 2.0  # a block has come back from 1.7 times the angle at which its weight is balanced
-SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 
 
 def guard_noise(mode, index, y, p, shaking, h, b, stride):
@@ -115,20 +110,20 @@ def guard_noise(mode, index, y, p, shaking, h, b, stride):
     largest of them and by what would hold the structure: b holds `stride` numbers of each guard,
     in a step or at an instant.
     """
-    kind = KINDS[mode][index]
+    kind = kind_of(mode, index)
     if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
     contact, sizes, wanted = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    point = SUBJECTS[mode][index]
+    point = subject_of(mode, index)
     contact_data(y, p, mode, contact)
     without_forces(y, p, shaking, mode, contact, wanted, sizes)
     if kind == LANDING:
-        _, size = rate_of(contact, 2 * point, y, 0)
-        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[2 * point]
+        _, size = rate_of(contact, AXES * point, y, 0)
+        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[AXES * point]
         return GRAIN * size + push * h * h
     largest = 0.0
-    for i in range(GUARDS[mode]):
-        if KINDS[mode][i] == LIFTING or KINDS[mode][i] == SLIPPING:
+    for i in range(guards_in(mode)):
+        if kind_of(mode, i) == LIFTING or kind_of(mode, i) == SLIPPING:
             for j in range(stride * i, stride * i + stride):
                 largest = max(largest, abs(b[j]))
     return max(FORCE_OF_LARGEST * largest, FITS * sizes[ROWS + point])
@@ -139,207 +134,14 @@ def freedom_of(point, mode, contact):
 
     Square root of J M^-1 J' of the difference of their rows, over that of the point alone.
     """
-    alone = COUPLING + 2 * point * (ROWS + 1)
+    alone = COUPLING + AXES * point * (ROWS + 1)
     least = contact[alone]
     for i in range(N_POINTS):
-        if POINT_STATES[mode][i] != OPEN:
-            between_ = contact[COUPLING + 2 * point * ROWS + 2 * i]
-            apart = contact[alone] - 2.0 * between_ + contact[COUPLING + 2 * i * (ROWS + 1)]
+        if point_state(mode, i) != OPEN:
+            between_ = contact[COUPLING + AXES * point * ROWS + AXES * i]
+            apart = contact[alone] - 2.0 * between_ + contact[COUPLING + AXES * i * (ROWS + 1)]
             least = min(least, max(apart, 0.0))
     return math.sqrt(least / contact[alone])
-
-
-def is_smooth(point):
-    """Whether a point has no friction whatever the parameters are: it never sticks."""
-    smooth = True
-    for mode in range(len(POINT_STATES)):
-        smooth = smooth and POINT_STATES[mode][point] != STICK
-    return smooth
-
-
-@inlined
-def may_follow(candidate, mode, near, sliding):
-    """Whether a mode has the elements of another, and its points can be as it says.
-
-    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
-    it does not move.
-    """
-    for i in range(N_ELEMENTS):
-        if ELEMENT_STATES[candidate][i] != ELEMENT_STATES[mode][i]:
-            return False
-    for i in range(N_POINTS):
-        state = POINT_STATES[candidate][i]
-        if state == OPEN:
-            continue
-        if near[i] == 0:
-            return False
-        if state != FRICTIONLESS and sliding[i] != 0.0 and SIGN_OF[state] != sliding[i]:
-            return False
-    return True
-
-
-def impulses_of(candidate, wanted, contact, impulse):
-    """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
-
-    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
-    """
-    closed = point = 0
-    for i in range(N_POINTS):
-        impulse[2 * i] = impulse[2 * i + 1] = 0.0
-        if POINT_STATES[candidate][i] != OPEN:
-            closed, point = closed + 1, i
-    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, contact, impulse)):
-        return
-    fractions = np.empty(N_POINTS)
-    for i in range(N_POINTS):
-        fractions[i] = np.nan
-    held_by(candidate, wanted, contact, fractions, impulse)
-    if share(candidate, contact, impulse, fractions):
-        held_by(candidate, wanted, contact, fractions, impulse)
-
-
-@inlined
-def held_alone(candidate, point, wanted, contact, impulse):
-    """`impulses_of` where one point is closed: whether its equations are far from saying the same.
-
-    Most of those at an event are such ones.
-    """
-    normal, state = 2 * point, POINT_STATES[candidate][point]
-    at = COUPLING + normal * ROWS + normal
-    across, between_, along_ = contact[at], contact[at + 1], contact[at + ROWS + 1]
-    if state != STICK:
-        tie = -contact[LAWS + normal + 1] * SIGN_OF[state]
-        presses = across + tie * between_
-        impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
-        impulse[normal + 1] = tie * impulse[normal]
-        return True
-    largest = max(across, max(along_, abs(between_)))
-    determinant = across * along_ - between_ * between_
-    if not determinant > INDEPENDENT * largest * largest:
-        return False
-    inverse = 1.0 / determinant
-    impulse[normal] = (wanted[normal] * along_ - between_ * wanted[normal + 1]) * inverse
-    impulse[normal + 1] = (across * wanted[normal + 1] - wanted[normal] * between_) * inverse
-    return True
-
-
-@rolled
-def held_by(candidate, wanted, contact, fractions, impulse):
-    """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
-
-    These are the parts of the normal impulse that it is; not a number where it is to be found.
-    """
-    a, unknown = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
-    friction = np.empty(ROWS, np.int64)  # row of the friction at the point of an unknown
-    ties = np.empty(ROWS)  # of a normal impulse: friction in parts of it; of friction: none
-    order = 0
-    for i in range(N_POINTS):
-        state, normal = POINT_STATES[candidate][i], 2 * i
-        if state == OPEN:
-            continue
-        unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
-        order += 1
-        if state != STICK:
-            ties[order - 1] = -contact[LAWS + normal + 1] * SIGN_OF[state]
-        elif fractions[i] == fractions[i]:
-            ties[order - 1] = fractions[i]
-        elif SHARED[candidate][i] == i:
-            unknown[order], friction[order], ties[order] = normal + 1, normal + 1, 0.0
-            order += 1
-    width = order + 1
-    for m in range(order):
-        row = COUPLING + unknown[m] * ROWS
-        for s in range(order):
-            value = contact[row + unknown[s]]
-            value += ties[s] * contact[row + friction[s]]
-            a[m * width + s] = value
-        a[m * width + order] = wanted[unknown[m]]
-    eliminate(a, order, width)
-    for m in range(order):
-        impulse[unknown[m]] = a[m * width + order]
-        if ties[m] != 0.0:
-            impulse[unknown[m] + 1] = ties[m] * a[m * width + order]
-
-
-@rolled
-def share(candidate, contact, force, fractions):
-    """The fraction of friction of sticking points at different heights, which share their sum.
-
-    Rigid bodies do not determine the share of each; all mobilise the same fraction of their bounds,
-    as they do when they slip. Returns whether there are such points.
-    """
-    several = False
-    for i in range(N_POINTS):
-        if POINT_STATES[candidate][i] != STICK or SHARED[candidate][i] == i:
-            continue
-        first = SHARED[candidate][i]
-        apart = 0.0
-        for j in range(N_COORDINATES):
-            one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
-            apart = max(apart, abs(contact[one] - contact[other]))
-        if apart > APART:
-            several = True
-    if not several:
-        return False
-    for i in range(N_POINTS):
-        if POINT_STATES[candidate][i] != STICK:
-            continue
-        tangential = normal = 0.0
-        members = 0
-        for j in range(N_POINTS):
-            if POINT_STATES[candidate][j] == STICK and SHARED[candidate][j] == SHARED[candidate][i]:
-                tangential += force[2 * j + 1]
-                normal += force[2 * j]
-                members += 1
-        if members > 1 and normal != 0.0:
-            fractions[i] = tangential / normal
-    return True
-
-
-@inlined
-def exceeds(row, wanted, contact, impulse):
-    """The excess of the change of velocity of a row by impulses over the one wanted."""
-    total = -wanted[row]
-    for s in range(ROWS):
-        total += contact[COUPLING + row * ROWS + s] * impulse[s]
-    return total
-
-
-def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
-    """The least margin by which impulses, or forces, fit; negative where they do not.
-
-    They press, friction is within its bound and opposes the slip, and open points leave as they
-    may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` no
-    other one is computed.
-    """
-    least = np.inf
-    for i in range(N_POINTS):
-        if near[i] == 0:
-            continue
-        state, normal = POINT_STATES[candidate][i], 2 * i
-        if state == OPEN:
-            least = min(least, exceeds(normal, wanted, contact, impulse) / sizes[normal])
-        else:
-            least = min(least, impulse[normal] / sizes[ROWS + i])
-        if not least >= least_of_all:
-            return least
-        if state == STICK:
-            sum_, bound = 0.0, 0.0
-            for j in range(N_POINTS):
-                if POINT_STATES[candidate][j] == STICK and (
-                    SHARED[candidate][j] == SHARED[candidate][i]
-                ):
-                    sum_ += impulse[2 * j + 1]
-                    most = contact[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
-                    bound += most if contact[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
-            least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
-        elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
-            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, contact, impulse)
-            least = min(least, slips / sizes[normal + 1])
-        elif state == FRICTIONLESS and not is_smooth(i):  # it has friction, and must not slip
-            slips = abs(exceeds(normal + 1, wanted, contact, impulse))
-            least = min(least, -slips / sizes[normal + 1])
-    return least
 
 
 def fitting_states(
@@ -355,10 +157,10 @@ def fitting_states(
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
-    for candidate in range(len(POINT_STATES)):
-        if candidate == left_out or not may_follow(candidate, mode, near, sliding):
+    for number in range(N_CANDIDATES):
+        candidate = candidate_of(number, mode, near, sliding, wanted, contact, impulse)
+        if candidate < 0 or candidate == left_out:
             continue
-        impulses_of(candidate, wanted, contact, impulse)
         margin = margin_of(
             candidate, near, sliding, wanted, contact, sizes, impulse, -tolerance
         )  # fmt: skip
@@ -395,7 +197,8 @@ def sizes_of(whole, contact, sizes):
     for r in range(ROWS):
         sizes[r] = math.sqrt(contact[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
     for i in range(N_POINTS):
-        sizes[ROWS + i] = math.sqrt(whole / contact[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
+        freely = contact[COUPLING + AXES * i * (ROWS + 1)]
+        sizes[ROWS + i] = math.sqrt(whole / freely) + LEAST_SIZE
 
 
 def radius_of(contact, point):
@@ -404,7 +207,7 @@ def radius_of(contact, point):
     It is that of a rotation with all other coordinates held; 1 where nothing turns.
     """
     inertia = contact[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    return math.sqrt(inertia * contact[COUPLING + 2 * point * ROWS + 2 * point])
+    return math.sqrt(inertia * contact[COUPLING + AXES * point * (ROWS + 1)])
 
 
 def squared(contact, x):
@@ -428,7 +231,7 @@ def collide(mode, near, slowest, contact, y):
     n = N_COORDINATES
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     change, sliding = np.empty(N_COORDINATES), np.zeros(N_POINTS)
-    fitting = np.empty(len(POINT_STATES), np.int64)
+    fitting = np.empty(N_CANDIDATES, np.int64)
     for i in range(n):
         change[i] = y[n + i]
     whole = squared(contact, change)
@@ -436,8 +239,9 @@ def collide(mode, near, slowest, contact, y):
     for r in range(ROWS):
         arriving, _ = rate_of(contact, r, y, n)
         wanted[r] = -arriving
-        if 2 * int(r * 0.5) == r:
-            wanted[r] -= contact[LAWS + r] * min(arriving, 0.0)
+        point = int(r / AXES)
+        if AXES * point == r:
+            wanted[r] -= contact[LAWS + 2 * point] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
     follows, _ = fitting_states(
         mode, -1, near, sliding, wanted, contact, sizes, FITS, alike, fitting
@@ -467,13 +271,14 @@ def closed_points(y, p, mode, contact, near, sliding):
     sizes_of(squared(contact, y[N_COORDINATES:]), contact, speeds)
     for i in range(N_POINTS):
         length = radius_of(contact, i)
-        _, size = rate_of(contact, 2 * i, y, 0)
+        _, size = rate_of(contact, AXES * i, y, 0)
         closed = contact[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
-        least = max(GIVEN * speeds[2 * i], NO_MOTION * math.sqrt(free[2 * i] * length))
+        least = max(GIVEN * speeds[AXES * i], NO_MOTION * math.sqrt(free[AXES * i] * length))
         rate = abs(contact[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
-        slip, _ = rate_of(contact, 2 * i + 1, y, N_COORDINATES)
-        least = max(GIVEN * speeds[2 * i + 1], NO_MOTION * math.sqrt(free[2 * i + 1] * length))
+        row = AXES * i + 1
+        slip, _ = rate_of(contact, row, y, N_COORDINATES)
+        least = max(GIVEN * speeds[row], NO_MOTION * math.sqrt(free[row] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
         if (
@@ -496,7 +301,7 @@ def fits_by_forces(mode, y, p, shaking):
         return AMBIGUOUS
     closed_points(y, p, mode, contact, near, sliding)
     for i in range(N_POINTS):
-        if POINT_STATES[mode][i] != OPEN:
+        if point_state(mode, i) != OPEN:
             near[i] = 1
     ground = np.empty(GROUND_SIZE)
     ground_now_and_later(shaking, shaking, SOON_AT_START, ground)
@@ -508,8 +313,9 @@ def hardly_apart(contact):
     for i in range(N_POINTS):
         for j in range(i):
             apart = 0.0
+            of_this, of_that = row_of_point(AXES * i), row_of_point(AXES * j)
             for m in range(N_COORDINATES):
-                lever, other = contact[row_of_point(2 * i) + m], contact[row_of_point(2 * j) + m]
+                lever, other = contact[of_this + m], contact[of_that + m]
                 difference = abs(lever - other)
                 if difference > GRAIN * max(abs(lever), abs(other)):
                     apart = max(apart, difference)
@@ -545,8 +351,9 @@ def without_forces(y, p, shaking, mode, contact, wanted, sizes):
         moved += forces[i] * both[2 * i]
         quiet += at_rest[i] * both[2 * i + 1]
     for i in range(N_POINTS):
-        for m in range(2):
-            wanted[2 * i + m] = -along(contact, 2 * i + m, both, 0, 2) - contact[i * POINT + 3 + m]
+        for m in range(AXES):
+            row = AXES * i + m
+            wanted[row] = -along(contact, row, both, 0, 2) - contact[i * POINT + BIASES + m]
     whole = max(moved, quiet)
     sizes_of(whole, contact, sizes)
     return whole
@@ -560,7 +367,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     between them. rtol : the relative tolerance of the motion, by whose error a mode must fit where
     none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
-    wanted, fitting = np.empty(ROWS), np.empty(len(POINT_STATES), np.int64)
+    wanted, fitting = np.empty(ROWS), np.empty(N_CANDIDATES, np.int64)
     shaking = shaking_at(ground, 0, 1)
     whole = without_forces(y, p, shaking, mode, contact, wanted, sizes)
     follows = IMPOSSIBLE
@@ -633,27 +440,27 @@ def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    kind, subject = KINDS[mode][guard], SUBJECTS[mode][guard]
+    kind, subject = kind_of(mode, guard), subject_of(mode, guard)
     if kind == SWITCH:
         follows, closed = mode, -1
         if N_ELEMENTS > 0:
             follows = jump(mode, guard, 0, 0.0, y, p, out)
-            if REVERSE[mode][guard] >= 0:
-                closed = int(1.0 / HALVES[REVERSE[mode][guard]])
+            if reverse_of(mode, guard) >= 0:
+                closed = int(1.0 / HALVES[reverse_of(mode, guard)])
         return follows, closed
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
     contact_data(out, p, mode, contact)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
-        touches = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
+        touches = point_state(mode, i) != OPEN or (kind == LANDING and i == subject)
         if not touches and kind == LANDING:
             gap, rate = contact[i * POINT], contact[i * POINT + 1]
-            _, size = rate_of(contact, 2 * i, out, 0)
+            _, size = rate_of(contact, AXES * i, out, 0)
             touches = rate <= 0.0 and gap <= NO_GAP_IN_STEP * h * abs(rate) + NO_GAP_OF_TERMS * size
         if touches:
             near[i] = 1
-            rows[2 * i], wanted[2 * i] = 1, -contact[i * POINT]
+            rows[AXES * i], wanted[AXES * i] = 1, -contact[i * POINT]
     put_on(rows, wanted, 0, contact, out)
     return meet(mode, guard, near, y, p, ground, rtol, contact, out)
 
@@ -679,10 +486,10 @@ def still_closed(before, follows, guard, closed_before, closed):
     Two bars on one rotation stop to yield at the same instant, one after the other: the force of
     the first is still at its strength. closed_before : the guards closed before, see `is_closed`.
     """
-    for i in range(min(GUARDS[before], GUARDS[follows])):
-        alike = KINDS[before][i] == SWITCH and KINDS[follows][i] == SWITCH
-        alike = alike and SUBJECTS[before][i] == SUBJECTS[follows][i]
-        alike = alike and SUBJECTS[before][i] != SUBJECTS[before][guard]
+    for i in range(min(guards_in(before), guards_in(follows))):
+        alike = kind_of(before, i) == SWITCH and kind_of(follows, i) == SWITCH
+        alike = alike and subject_of(before, i) == subject_of(follows, i)
+        alike = alike and subject_of(before, i) != subject_of(before, guard)
         if alike and is_closed(closed_before, i) and not is_closed(closed, i):
             closed = max(closed, 0) + int(1.0 / HALVES[i])
     return closed
@@ -693,7 +500,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
     """
-    n, kind, subject = N_COORDINATES, KINDS[mode][guard], SUBJECTS[mode][guard]
+    n, kind, subject = N_COORDINATES, kind_of(mode, guard), subject_of(mode, guard)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = mode  # by the velocities of this mode
     if kind == LANDING:
@@ -706,21 +513,21 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
-        state = POINT_STATES[as_said][i]
-        rate, size = rate_of(contact, 2 * i, out, n)
-        leaves = rate > FITS * max(size, sizes[2 * i])
+        state = point_state(as_said, i)
+        rate, size = rate_of(contact, AXES * i, out, n)
+        leaves = rate > FITS * max(size, sizes[AXES * i])
         if leaves and (state == OPEN or contact[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
-        rows[2 * i], wanted[2 * i] = 1, -rate
+        rows[AXES * i], wanted[AXES * i] = 1, -rate
         if is_smooth(i):
             continue
-        slip, size = rate_of(contact, 2 * i + 1, out, n)
-        still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
-        if kind == STICKING and SHARED[mode][i] == SHARED[mode][subject]:
+        slip, size = rate_of(contact, AXES * i + 1, out, n)
+        still = state == STICK or abs(slip) <= FITS * max(size, sizes[AXES * i + 1])
+        if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
             still = True
         if still:
-            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+            rows[AXES * i + 1], wanted[AXES * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, contact, out)
@@ -738,8 +545,8 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
 def closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes):
     """Which guards g of a mode are zero as it begins, see `is_closed`; -1 for none."""
     closed = 0
-    for i in range(GUARDS[follows]):
-        kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
+    for i in range(guards_in(follows)):
+        kind, subject = kind_of(follows, i), subject_of(follows, i)
         zero = follows == mode and i == guard and kind != LANDING
         if kind == LANDING:
             zero = near[subject] == 1 or leaving[subject] == 1
@@ -763,43 +570,3 @@ def nothing_moves(mode, y, p):
     for i in range(N_STATES):
         moves = moves or dy[i] != 0.0
     return not moves
-
-
-def held_upright(mode, y, p):
-    """Whether points are closed that keep the structure from turning."""
-    if abs(y[ROTATION + N_COORDINATES]) > NO_TURN:
-        return False
-    dy = np.empty(N_STATES)
-    rates(mode, y, p, *STILL, dy)
-    held = False
-    for i in range(N_POINTS):
-        held = held or POINT_STATES[mode][i] != OPEN
-    return held and dy[ROTATION + N_COORDINATES] == 0.0
-
-
-def tips_over(y, p):
-    """Whether a body turns outward beyond TIPPED times the angle at which its weight is balanced.
-
-    Relative to what bears it: the sine of that angle is the difference of the gaps of its feet over
-    their distance.
-    """
-    contact, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
-    points(y, p, contact)
-    positions(0, y, p, places)  # of bodies first, then of points
-    for body in range(len(FEET_OF)):
-        low = high = -1
-        for i in range(N_POINTS):
-            if FEET_OF[body][i] == 1:
-                low = i if low < 0 or contact[POINT * i] < contact[POINT * low] else low
-                high = i if high < 0 or contact[POINT * i] > contact[POINT * high] else high
-        centre, foot, other = 3 * body, 3 * (len(FEET_OF) + low), 3 * (len(FEET_OF) + high)
-        across, up = places[centre] - places[foot], places[centre + 1] - places[foot + 1]
-        base, tilt = places[other] - places[foot], places[other + 1] - places[foot + 1]
-        lever, height = base * across + tilt * up, abs(base * up - tilt * across)
-        if height > 0.0 and contact[POINT * high + 1] > contact[POINT * low + 1]:
-            sine = (contact[POINT * high] - contact[POINT * low]) / math.sqrt(
-                base * base + tilt * tilt
-            )
-            if math.asin(min(1.0, sine)) > TIPPED * math.atan(lever / height):
-                return True
-    return False

@@ -9,12 +9,13 @@ from rockeom.codes import RATIO, UNEVEN
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import (
+    N_MODES,
     N_STATES,
     ROTATION,
     ROTATION_RATE,
-    SIDES,
     jump,
     rates,
+    side_of,
     take_step,
 )
 from rockeom.integrator.tolerances import EPS, FADED
@@ -35,8 +36,8 @@ def may_fade(side, y, rate, law, ratio, tolerance):
 def on_both_feet():
     """The mode in which the rotation is zero, or -1."""
     held = -1
-    for mode in range(len(SIDES)):
-        if SIDES[mode] == 0.0:
+    for mode in range(N_MODES):
+        if side_of(mode) == 0.0:
             held = mode
     return held
 
@@ -79,7 +80,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, shaking, tolerance, out):
         before, last = last, this
         pairs = not pairs
         rates(mode, w, p, *shaking, out)
-        a, v = -SIDES[mode] * out[ROTATION_RATE], abs(w[ROTATION_RATE])
+        a, v = -side_of(mode) * out[ROTATION_RATE], abs(w[ROTATION_RATE])
         if not a > 0.0:
             return np.inf, mode
         this = RockingFlight(2.0 * v / a, a, loss)
@@ -100,7 +101,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, shaking, tolerance, out):
         mode = jump(mode, 0, law, passed, w, p, out)
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
-        if SIDES[mode] == 0.0:
+        if side_of(mode) == 0.0:
             for i in range(N_STATES):
                 out[i] = y[i] + whole * kick[i]
             out[ROTATION] = out[ROTATION_RATE] = 0.0

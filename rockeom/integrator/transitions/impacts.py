@@ -19,33 +19,18 @@ import numpy as np
 from rockeom.codes import IMPOSSIBLE, LZB, MOREAU, OPEN, PAIRWISE, POISSON
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.provided import (
-    ELEMENT_STATES,
     IMPACT_LAW,
     N_ELEMENTS,
+    N_MODES,
     N_POINTS,
-    POINT_STATES,
-    point_numbers,
-)
-from rockeom.integrator.tolerances import (
-    FITS,
-    NOTHING_LEFT,
-    SAME_LANDING_RATE,
-    SAME_VELOCITIES,
-)
-from rockeom.integrator.transitions.candidates import (
-    change_by,
-    fitting_states,
+    element_state,
     impulses_of,
-    sizes_of,
-    squared,
+    point_numbers,
+    point_state,
 )
-from rockeom.integrator.transitions.friction import (
-    Meeting,
-    choose,
-    grip,
-    lines_of,
-    slips_now,
-)
+from rockeom.integrator.tolerances import FITS, NOTHING_LEFT, SAME_LANDING_RATE, SAME_VELOCITIES
+from rockeom.integrator.transitions.candidates import change_by, fitting_states, sizes_of, squared
+from rockeom.integrator.transitions.friction import Meeting, choose, grip, lines_of, slips_now
 from rockeom.integrator.transitions.points import LAWS, N_COORDINATES, ROWS, SPREAD, rate_of
 from rockeom.integrator.transitions.springs import grow
 
@@ -113,12 +98,12 @@ def impulses_grow(near, numbers, whole, contact, sizes, rate, impulse):
 def all_open(mode):
     """The mode in which all points are open, with the elements of another."""
     follows = mode
-    for candidate in range(len(POINT_STATES)):
+    for candidate in range(N_MODES):
         opens = True
         for i in range(N_POINTS):
-            opens = opens and POINT_STATES[candidate][i] == OPEN
+            opens = opens and point_state(candidate, i) == OPEN
         for i in range(N_ELEMENTS):
-            opens = opens and ELEMENT_STATES[candidate][i] == ELEMENT_STATES[mode][i]
+            opens = opens and element_state(candidate, i) == element_state(mode, i)
         if opens:
             follows = candidate
     return follows
@@ -131,7 +116,7 @@ def by_moreau(mode, near, whole, along, contact, sizes, rate, change):
     return. Returns a mode whose impulses fit, or IMPOSSIBLE, or AMBIGUOUS.
     """
     wanted, impulse, sliding = np.empty(ROWS), np.empty(ROWS), np.zeros(N_POINTS)
-    fitting = np.empty(len(POINT_STATES), np.int64)
+    fitting = np.empty(N_MODES, np.int64)
     for i in range(N_POINTS):
         e = contact[LAWS + 2 * i]
         e_t = along[i] if along[i] >= 0.0 else e

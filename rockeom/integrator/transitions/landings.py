@@ -13,15 +13,16 @@ from rockeom.compiler.decorators import inlined
 from rockeom.integrator.guards import guards_at
 from rockeom.integrator.provided import (
     ANGLES,
-    GUARDS,
-    KINDS,
+    AXES,
     N_POINTS,
     N_STAGES,
     N_STATES,
     STILL,
-    SUBJECTS,
     guards,
+    guards_in,
+    kind_of,
     points,
+    subject_of,
 )
 from rockeom.integrator.tolerances import LEAST_PRODUCT, LEAST_SIZE, SETTLED_PARABOLA
 from rockeom.integrator.transitions.points import (
@@ -61,11 +62,11 @@ def single_hop(mode, closed, y, p, dy):
     contact = np.empty(POINT * N_POINTS)
     points(y, p, contact)
     hop, lasts = -1, np.inf
-    for i in range(GUARDS[mode]):
-        if KINDS[mode][i] != LANDING or not is_closed(closed, i):
+    for i in range(guards_in(mode)):
+        if kind_of(mode, i) != LANDING or not is_closed(closed, i):
             continue
-        point = SUBJECTS[mode][i]
-        rate, a = contact[point * POINT + 1], -acceleration_of(contact, 2 * point, dy)
+        point = subject_of(mode, i)
+        rate, a = contact[point * POINT + 1], -acceleration_of(contact, AXES * point, dy)
         # a hop must not be lost among the smallest numbers
         if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > LEAST_PRODUCT * a):
             return -1, np.inf
@@ -87,7 +88,7 @@ def fall_within(motion, ground, step, sampled, hop, case, a):
     mode, t, h, samples, w, p = motion.mode, motion.t, step.h, a.b, a.w, case.p
     at_end = samples[3 * ROW :]
     if sampled:
-        for i in range(GUARDS[mode]):
+        for i in range(guards_in(mode)):
             samples[i] = at_end[i]
     else:
         guards_at(mode, t, a.y, p, ground, samples)
@@ -97,11 +98,11 @@ def fall_within(motion, ground, step, sampled, hop, case, a):
     guards_at(mode, t + 0.75 * h, w, p, ground, samples[2 * ROW :])
     guards_at(mode, t + h, a.y_new, p, ground, at_end)
     falls, place = STAYS_OPEN, 0.0
-    for i in range(GUARDS[mode]):
+    for i in range(guards_in(mode)):
         opens = motion.closed > 0 and is_closed(motion.closed, i)
         if i != hop and stays_open_by(samples, i, opens):
             continue
-        if falls != STAYS_OPEN or KINDS[mode][i] != LANDING:
+        if falls != STAYS_OPEN or kind_of(mode, i) != LANDING:
             return UNCLEAR, 0.0
         falls, place = i, falls_by(samples, i, opens, i == hop)
         if place == 0.0:
@@ -169,12 +170,12 @@ def to_landing(mode, guard, y, p, dy):
     contact, g = np.empty(POINT * N_POINTS), np.empty(ROW)
     points(y, p, contact)
     guards(mode, y, p, *STILL, g)
-    point = SUBJECTS[mode][guard]
+    point = subject_of(mode, guard)
     rate = contact[point * POINT + 1]
     if not rate < 0.0:
         return np.inf
     move = -g[guard] / rate
-    return move - 0.5 * acceleration_of(contact, 2 * point, dy) * move * move / rate
+    return move - 0.5 * acceleration_of(contact, AXES * point, dy) * move * move / rate
 
 
 def is_rounding(mode, guard, y, p):
@@ -188,7 +189,7 @@ def is_rounding(mode, guard, y, p):
 def end_closed(mode, samples):
     """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
     closed = False
-    for i in range(GUARDS[mode]):
+    for i in range(guards_in(mode)):
         closed = closed or samples[3 * ROW + i] < 0.0
     return closed
 

@@ -8,6 +8,7 @@ import numpy as np
 from rockeom.codes import MOST_DIGITS
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.integrator.provided import (
+    AXES,
     N_GUARDS,
     N_PARTS,
     N_POINTS,
@@ -29,15 +30,17 @@ from rockeom.integrator.tolerances import (
 __fused__ = False
 
 N_COORDINATES = N_STATES // 2
-POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
+BIASES = 1 + AXES  # what `points` tells of each: gap, the rates of gap and slips, their biases, ...
+LEVERS = BIASES + AXES  # ... and the rows by which they follow from the velocities
+POINT = LEVERS + AXES * N_COORDINATES
 N_MATRIX = N_COORDINATES * N_COORDINATES
 ROW = N_GUARDS + N_PARTS  # what `guards` fills
-ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+ROWS = AXES * N_POINTS  # directions in which points are held: AXES * i is normal, others along
 
 # Places in `contact` (CONTACT_SIZE,), the data of the points in a state: what `points` tells, the
 # laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
 LAWS = POINT * N_POINTS
-MATRIX = LAWS + ROWS
+MATRIX = LAWS + 2 * N_POINTS
 SPREAD = MATRIX + N_MATRIX
 COUPLING = SPREAD + N_COORDINATES * ROWS
 CONTACT_SIZE = COUPLING + ROWS * ROWS
@@ -188,8 +191,9 @@ def contact_data(y, p, mode, contact):
     free_motion(y, p, *STILL, mode, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
-            spread[i * ROWS + 2 * r] = contact[r * POINT + 5 + i]
-            spread[i * ROWS + 2 * r + 1] = contact[r * POINT + 5 + n + i]
+            for axis in range(AXES):
+                lever = r * POINT + LEVERS + axis * n
+                spread[i * ROWS + AXES * r + axis] = contact[lever + i]
     through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
         for s in range(r, ROWS):
@@ -207,10 +211,19 @@ def along(contact, row, b, s, width):
 
 
 @inlined
+def exceeds(row, wanted, contact, impulse):
+    """The excess of the change of velocity of a row by impulses over the one wanted."""
+    total = -wanted[row]
+    for s in range(ROWS):
+        total += contact[COUPLING + row * ROWS + s] * impulse[s]
+    return total
+
+
+@inlined
 def row_of_point(row):
     """Where the Jacobian of a row begins in what `points` tells."""
-    point = int(row * 0.5)
-    return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
+    point = int(row / AXES)
+    return point * POINT + LEVERS + (row - AXES * point) * N_COORDINATES
 
 
 def rate_of(contact, row, y, first):
@@ -228,7 +241,7 @@ def gap_rounding(contact, y):
     """The rounding error of a gap where other points are closed: by the largest terms of any."""
     largest = 0.0
     for i in range(N_POINTS):
-        _, size = rate_of(contact, 2 * i, y, 0)
+        _, size = rate_of(contact, AXES * i, y, 0)
         largest = max(largest, size)
     return GRAIN * largest
 
@@ -237,8 +250,8 @@ def gap_rounding(contact, y):
 def acceleration_of(contact, row, dy):
     """The acceleration of a gap or a slip, from the rates (N,) of the state."""
     total, _ = rate_of(contact, row, dy, N_COORDINATES)
-    point = int(row * 0.5)
-    return total + contact[point * POINT + 3 + row - 2 * point]
+    point = int(row / AXES)
+    return total + contact[point * POINT + BIASES + row - AXES * point]
 
 
 @inlined

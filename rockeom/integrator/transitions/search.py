@@ -20,7 +20,7 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
-from rockeom.integrator.provided import KINDS, N_STAGES, N_STATES
+from rockeom.integrator.provided import N_STAGES, N_STATES, held_upright, kind_of, tips_over
 from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
@@ -30,18 +30,11 @@ from rockeom.integrator.transitions.candidates import (
     fits_by_forces,
     ground_now_and_later,
     guard_noise,
-    held_upright,
     nothing_moves,
     pass_on,
     still_closed,
-    tips_over,
 )
-from rockeom.integrator.transitions.landings import (
-    end_closed,
-    fall_within,
-    single_hop,
-    to_landing,
-)
+from rockeom.integrator.transitions.landings import end_closed, fall_within, single_hop, to_landing
 from rockeom.integrator.transitions.points import is_closed
 from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
 
@@ -104,7 +97,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     Events without end at one instant, and one that nothing may follow, are stepped over.
     """
     rest = Rest(np.inf, motion.mode, False)
-    if KINDS[motion.mode][guard] == BOUND:
+    if kind_of(motion.mode, guard) == BOUND:
         return end_at_bound(motion, guard, a, recorder), rest
     if motion.idle > MOST_IDLE:
         outcome = CHATTER
@@ -124,7 +117,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     mode, closed = pass_on(
         motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.contact, a.after
     )
-    kind = KINDS[motion.mode][guard]
+    kind = kind_of(motion.mode, guard)
     if mode < 0:
         rest = stepped_over(motion, ground, end, True, case, a)
         # what has come to its end and goes on as before is no way out
@@ -195,7 +188,7 @@ def just_closed(closed, i):
 @inlined
 def grain_of(mode, index, shaking, h, b, stride, case, a):
     """Size of the rounding errors of a guard: of an element's, or of a gap or a force."""
-    if KINDS[mode][index] == SWITCH:
+    if kind_of(mode, index) == SWITCH:
         return noise_of(mode, index, case.p, case.fallen, a.noises, a.w, a.g)
     return guard_noise(mode, index, a.y, case.p, shaking, h, b, stride)
 

@@ -17,17 +17,17 @@ from rockeom.integrator.guards import (
     to_impact,
 )
 from rockeom.integrator.provided import (
-    GUARDS,
-    KINDS,
     LOCALISED,
     N_STATES,
-    REVERSE,
     ROTATION_RATE,
-    SIDES,
-    TARGETS,
     dense_output,
+    guards_in,
     jump,
+    kind_of,
     rates,
+    reverse_of,
+    side_of,
+    target_of,
 )
 from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, records_steps
@@ -65,14 +65,14 @@ def free_flight(mode, closed, t, y, p, k):
     if LOCALISED or closed != 0 or not rocking(mode):
         return 0, np.inf
     flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
-    height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
+    height = side_of(mode) * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
     return 0, flight if flight > 0.0 and height > LEAST_PRODUCT else np.inf
 
 
 @inlined
 def hop_ends(motion, ground, step, gap, case, a):
     """Whether a step that is one hop clearly ends where it closes again."""
-    near = abs(to_impact(SIDES[motion.mode], a.y_new, a.k)) < 0.1 * step.h
+    near = abs(to_impact(side_of(motion.mode), a.y_new, a.k)) < 0.1 * step.h
     return near and rises_and_falls(gap)
 
 
@@ -98,13 +98,13 @@ def certain_event(motion, ground, step, gap, case, a):
 @inlined
 def time_to_landing(motion, step, case, a):
     """Time from the end of a step to the landing beside it, infinite where there is none."""
-    return to_impact(SIDES[motion.mode], a.y_new, a.k)
+    return to_impact(side_of(motion.mode), a.y_new, a.k)
 
 
 @inlined
 def transition(motion, ground, guard, h, end, case, a, recorder):
     """(motion, rest): in the mode that follows the event of a guard; no rest follows from it."""
-    before, kind = motion.mode, KINDS[motion.mode][guard]
+    before, kind = motion.mode, kind_of(motion.mode, guard)
     if kind == BOUND:
         return end_at_bound(motion, guard, a, recorder), Rest(np.inf, before, False)
     if motion.idle > MOST_IDLE:
@@ -112,12 +112,12 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     ratio = velocity_ratio_at(case.law, case.ratio, motion.impacts, a.y[ROTATION_RATE], case.p)
     mode = jump(before, guard, case.law, ratio, a.y, case.p, a.after)
     closed = -1
-    if kind != IMPACT or SIDES[mode] != 0.0:
-        closed = REVERSE[before][guard]
+    if kind != IMPACT or side_of(mode) != 0.0:
+        closed = reverse_of(before, guard)
     elif motion.idle > 1:
         # it opened and closed in no time: that uplift was none
-        for i in range(GUARDS[mode]):
-            if TARGETS[mode][i] == before:
+        for i in range(guards_in(mode)):
+            if target_of(mode, i) == before:
                 closed = i
     return enter_mode(motion, guard, mode, closed, a, recorder), Rest(np.inf, mode, False)
 
@@ -127,11 +127,11 @@ def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
     mode, t = motion.mode, motion.t
     rest = Rest(np.inf, mode, False)
-    if SIDES[mode] == 0.0:
+    if side_of(mode) == 0.0:
         return motion, rest
     shaking = ground_accelerations(ground, t)
     rates(mode, a.y, case.p, *shaking, a.k)
-    if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
+    if not may_fade(side_of(mode), a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
         stands = rocking(mode) and t < end and motion.h_next != 0.0
         stale, due = motion.rate_stale and not stands, motion.guard_due and not stands
@@ -181,4 +181,4 @@ def can_move(mode, y, p):
 @inlined
 def standing(mode, y, p):
     """Whether a structure stands on both its feet."""
-    return SIDES[mode] == 0.0 and KINDS[mode][0] == UPLIFT
+    return side_of(mode) == 0.0 and kind_of(mode, 0) == UPLIFT

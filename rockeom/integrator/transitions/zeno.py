@@ -8,15 +8,18 @@ import numpy as np
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import Floats, Ints
 from rockeom.integrator.provided import (
-    GUARDS,
-    KINDS,
+    AXES,
     N_POINTS,
     N_STATES,
-    POINT_STATES,
-    SUBJECTS,
+    SIGN_OF,
     free_motion,
+    guards_in,
+    is_smooth,
+    kind_of,
+    point_state,
     points,
     rates,
+    subject_of,
 )
 from rockeom.integrator.tolerances import (
     ENDED,
@@ -34,10 +37,8 @@ from rockeom.integrator.tolerances import (
 )
 from rockeom.integrator.transitions.candidates import (
     GROUND_SIZE,
-    SIGN_OF,
     collide,
     ground_now_and_later,
-    is_smooth,
     meet,
     radius_of,
     select_by_forces,
@@ -277,7 +278,7 @@ def mode_after_flight(state, flight, rtol, contact, bounces, out):
     w[N_COORDINATES:N_STATES] = out[N_COORDINATES:N_STATES]
     points(w, p, contact)
     for i in range(N_POINTS):
-        if touched[i] == 1 and POINT_STATES[follows][i] == OPEN and contact[i * POINT + 1] > 0.0:
+        if touched[i] == 1 and point_state(follows, i) == OPEN and contact[i * POINT + 1] > 0.0:
             bounces.points[i] = 1
     return follows
 
@@ -285,10 +286,10 @@ def mode_after_flight(state, flight, rtol, contact, bounces, out):
 def hop_of(point, mode, y, contact, dy):
     """The flight of a point that begins in a state. dy (N,) : rates of the state."""
     gap, rate = contact[point * POINT], contact[point * POINT + 1]
-    _, size = rate_of(contact, 2 * point, y, 0)
+    _, size = rate_of(contact, AXES * point, y, 0)
     radius = radius_of(contact, point)
-    a = -acceleration_of(contact, 2 * point, dy)
-    if POINT_STATES[mode][point] != OPEN or gap > GRAIN * size:
+    a = -acceleration_of(contact, AXES * point, dy)
+    if point_state(mode, point) != OPEN or gap > GRAIN * size:
         return Hop(0.0, a, radius, False)
     height = 0.5 * rate * rate
     lost = rate > 0.0 and height < max(LOST_HOP * size, NO_HOP * radius) * a
@@ -322,10 +323,10 @@ def slow_bounces(state, tolerance, contact, dy, bouncing):
     most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            limit = min(limit, most * math.sqrt(radius_of(contact, i) / sizes[2 * i]))
+            limit = min(limit, most * math.sqrt(radius_of(contact, i) / sizes[AXES * i]))
     for i in range(N_POINTS):
-        a, rate = -acceleration_of(contact, 2 * i, dy), contact[i * POINT + 1]
-        fastest = limit * sizes[2 * i]
+        a, rate = -acceleration_of(contact, AXES * i, dy), contact[i * POINT + 1]
+        fastest = limit * sizes[AXES * i]
         if bouncing[i] == 1 and (rate < -fastest or (a <= 0.0 and rate > fastest)):
             return start, 0.0, any_is_lost  # it lands at once, or leaves for good
     return start, limit, any_is_lost
@@ -338,8 +339,8 @@ def beside_bounces(mode, limit, contact, dy, bounces):
     """
     for i in range(N_POINTS):
         gap, rate = contact[i * POINT], contact[i * POINT + 1]
-        if POINT_STATES[mode][i] == OPEN and bounces.points[i] == 0:
-            a = -acceleration_of(contact, 2 * i, dy)
+        if point_state(mode, i) == OPEN and bounces.points[i] == 0:
+            a = -acceleration_of(contact, AXES * i, dy)
             slow = a > 0.0 and -rate <= FAST * limit * a
             if slow and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bounces.points[i], bounces.heights[i] = 1, gap
@@ -361,10 +362,10 @@ def next_landing(mode, bounces, w, contact, dy):
     """
     first, point = np.inf, -1
     for i in range(N_POINTS):
-        if bounces.points[i] == 0 or POINT_STATES[mode][i] != OPEN:
+        if bounces.points[i] == 0 or point_state(mode, i) != OPEN:
             continue
-        height, a = bounces.heights[i], -acceleration_of(contact, 2 * i, dy)
-        rate, size = rate_of(contact, 2 * i, w, N_COORDINATES)
+        height, a = bounces.heights[i], -acceleration_of(contact, AXES * i, dy)
+        rate, size = rate_of(contact, AXES * i, w, N_COORDINATES)
         if height == 0.0 and -FITS * size <= rate < 0.0:
             rate = 0.0  # it would land again and again, and nothing would change
         square = rate * rate + 2.0 * a * height
@@ -381,13 +382,13 @@ def next_landing(mode, bounces, w, contact, dy):
 def next_stop(mode, w, contact, dy):
     """(time, guard) of the next end of a slip, as friction and what else acts now slow it."""
     time, guard = np.inf, -1
-    for i in range(GUARDS[mode]):
-        if KINDS[mode][i] != STICKING:
+    for i in range(guards_in(mode)):
+        if kind_of(mode, i) != STICKING:
             continue
-        point = SUBJECTS[mode][i]
-        sign = SIGN_OF[POINT_STATES[mode][point]]
-        slip, _ = rate_of(contact, 2 * point + 1, w, N_COORDINATES)
-        slows = -sign * acceleration_of(contact, 2 * point + 1, dy)
+        point = subject_of(mode, i)
+        sign = SIGN_OF[point_state(mode, point)]
+        slip, _ = rate_of(contact, AXES * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(contact, AXES * point + 1, dy)
         lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
         if lasts < time:
             time, guard = lasts, i
@@ -397,15 +398,15 @@ def next_stop(mode, w, contact, dy):
 def landing_of(mode, point):
     """The guard of a point's landing."""
     guard = -1
-    for i in range(GUARDS[mode]):
-        if KINDS[mode][i] == LANDING and SUBJECTS[mode][i] == point:
+    for i in range(guards_in(mode)):
+        if kind_of(mode, i) == LANDING and subject_of(mode, i) == point:
             guard = i
     return guard
 
 
 def speed_of(point, heights, contact, dy):
     """The rate at which a point lands that bounces."""
-    rate, a = contact[point * POINT + 1], -acceleration_of(contact, 2 * point, dy)
+    rate, a = contact[point * POINT + 1], -acceleration_of(contact, AXES * point, dy)
     return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
 
 
@@ -413,9 +414,9 @@ def have_ended(mode, bounces, start, contact, w, dy):
     """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
-        if bounces.points[i] == 1 and POINT_STATES[mode][i] == OPEN:
+        if bounces.points[i] == 1 and point_state(mode, i) == OPEN:
             fastest = max(fastest, speed_of(i, bounces.heights, contact, dy))
-        _, speed = rate_of(contact, 2 * i, w, N_COORDINATES)
+        _, speed = rate_of(contact, AXES * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(ENDED * start, ENDED_OF_ALL * whole)
 
@@ -427,7 +428,7 @@ def fast_fly_on(mode, bounces, start, contact, dy):
     """
     every, bouncing = True, bounces.points
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[mode][i] == OPEN:
+        if bouncing[i] == 1 and point_state(mode, i) == OPEN:
             bouncing[i] = 0 if speed_of(i, bounces.heights, contact, dy) > start else 1
         every = every and bouncing[i] == 0
     return every
@@ -437,7 +438,7 @@ def some_ended(mode, bouncing):
     """Whether some points that bounced are closed. For those still in flight it is undone."""
     ended = False
     for i in range(N_POINTS):
-        if bouncing[i] == 1 and POINT_STATES[mode][i] == OPEN:
+        if bouncing[i] == 1 and point_state(mode, i) == OPEN:
             bouncing[i] = 0
         else:
             ended = ended or bouncing[i] == 1
@@ -448,10 +449,10 @@ def fly(mode, flight, contact, dy, bounces, w):
     """Move a state w to the next landing, and say which points touch there, in `bounces.near`."""
     n, heights, near, time = N_COORDINATES, bounces.heights, bounces.near, flight.time
     for i in range(N_POINTS):
-        near[i] = 1 if POINT_STATES[mode][i] != OPEN else 0
+        near[i] = 1 if point_state(mode, i) != OPEN else 0
         if bounces.points[i] == 1 and near[i] == 0:
             rise = contact[i * POINT + 1] * time
-            drop = -0.5 * acceleration_of(contact, 2 * i, dy) * time * time
+            drop = -0.5 * acceleration_of(contact, AXES * i, dy) * time * time
             heights[i] += rise - drop
             if i == flight.point or heights[i] <= NO_DROP * drop:
                 heights[i], near[i] = 0.0, 1
@@ -490,10 +491,10 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
     without_forces(out, p, shaking, here, contact, wanted, sizes)
     for i in range(N_POINTS):
         lost = hop_of(i, here, w, contact, dy).lost
-        closed = lost or bounces.points[i] == 1 or POINT_STATES[here][i] != OPEN
+        closed = lost or bounces.points[i] == 1 or point_state(here, i) != OPEN
         near[i] = 1 if closed else 0
         if closed:
-            rows[2 * i], wanted[2 * i] = 1, -contact[i * POINT]
+            rows[AXES * i], wanted[AXES * i] = 1, -contact[i * POINT]
     put_on(rows, wanted, 0, contact, out)
     points(out, p, contact)
     rounding = gap_rounding(contact, out)
@@ -503,10 +504,10 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
-        wanted[2 * i] = -contact[i * POINT + 1]
-        if POINT_STATES[here][i] == STICK:
-            slip, _ = rate_of(contact, 2 * i + 1, out, n)
-            rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
+        wanted[AXES * i] = -contact[i * POINT + 1]
+        if point_state(here, i) == STICK:
+            slip, _ = rate_of(contact, AXES * i + 1, out, n)
+            rows[AXES * i + 1], wanted[AXES * i + 1] = 1, -slip
     close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out)
     points(out, p, contact)
     ground = np.empty(GROUND_SIZE)
@@ -523,19 +524,19 @@ def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, s
     n = N_COORDINATES
     held, ends = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
     for i in range(N_POINTS):
-        if near[i] == 0 or is_smooth(i) or POINT_STATES[here][i] == STICK:
+        if near[i] == 0 or is_smooth(i) or point_state(here, i) == STICK:
             continue
-        slip, size = rate_of(contact, 2 * i + 1, out, n)
+        slip, size = rate_of(contact, AXES * i + 1, out, n)
         friction = contact[LAWS + 2 * i + 1]
-        slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
+        slows = min(friction, 1.0) * sizes[AXES * i] if friction < NEVER_SLIPS else 0.0
         sliding[i] = 1.0 if slip > 0.0 else -1.0
         ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
     put_on(rows, wanted, n, contact, out)
     by_itself = 0.0
     for i in range(N_POINTS):
-        wanted[2 * i] = wanted[2 * i + 1] = 0.0
+        wanted[AXES * i] = wanted[AXES * i + 1] = 0.0
         if ends[i] == 1:
-            row = 2 * i + 1
+            row = AXES * i + 1
             slip, size = rate_of(contact, row, out, n)
             rows[row], wanted[row] = 1, -slip
             least = max(abs(slip), FITS * size)
@@ -568,7 +569,7 @@ def step_over(state, tolerance, longest, fits, rtol, contact, out):
     whole = without_forces(y, p, state.shaking, mode, contact, wanted, sizes)
     time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
-        time = min(time, math.sqrt(radius_of(contact, i) / sizes[2 * i]))
+        time = min(time, math.sqrt(radius_of(contact, i) / sizes[AXES * i]))
     time = min(tolerance * time, longest)
     for _ in range(SHORTER):
         if not taken < np.inf:
@@ -596,12 +597,12 @@ def step_of_moreau(state, time, whole, sizes, fits, rtol, contact, out):
     alike = np.inf
     for i in range(N_POINTS):
         gap, rate = contact[i * POINT], contact[i * POINT + 1]
-        falls, _ = rate_of(contact, 2 * i, w, n)
-        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[2 * i]
-        _, size = rate_of(contact, 2 * i, y, 0)
-        near[i] = 1 if POINT_STATES[mode][i] != OPEN or least <= GRAIN * size else 0
+        falls, _ = rate_of(contact, AXES * i, w, n)
+        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[AXES * i]
+        _, size = rate_of(contact, AXES * i, y, 0)
+        near[i] = 1 if point_state(mode, i) != OPEN or least <= GRAIN * size else 0
         if near[i] == 1:
-            alike = min(alike, time * time * sizes[ROWS + i] * sizes[2 * i])
+            alike = min(alike, time * time * sizes[ROWS + i] * sizes[AXES * i])
         contact[LAWS + 2 * i] = 0.0  # restitution
     as_said = collide(mode, near, alike, contact, w)
     if as_said < 0:
