@@ -46,8 +46,11 @@ STEPPED_OVER = -2
 """In place of the guard of a REST that is a step over events without end, see `step_over`."""
 
 # States of such a point, and results where no mode follows, or several may
-# (one that is closed without friction slips or not, as the rest of the structure moves it)
-OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
+# (one that is closed without friction slips or not, as the rest of the structure moves it; an idle
+# one touches and bears nothing, since others bear the load without it)
+OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS, IDLE_POINT = range(6)
+STATES_IN_SPACE = OPEN, FRICTIONLESS, IDLE_POINT
+"""States of a point by the digit that it has in the number of a mode of a structure in space."""
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
 # Verdicts on a step in which no guard is known to fall

@@ -1,0 +1,75 @@
+"""Modes whose number is a code of digits, one for the state of each point: modes in space.
+
+The contract of modes, as modes_by_table.py fulfils it for those that a table lists. Guards of
+points come first, one of each, then those of bounds.
+"""
+
+from rockeom.codes import BOUND, LANDING, LIFTING, OPEN
+from rockeom.compiler.decorators import inlined
+from rockeom.generated.numeric_modes import state_in_code
+from rockeom.integrator.provided import N_GUARDS, N_POINTS
+
+N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
+N_CANDIDATES = 2**N_POINTS  # sets of points that touch
+
+
+@inlined
+def guards_in(mode):
+    """The number of guards of a mode."""
+    return N_GUARDS
+
+
+@inlined
+def kind_of(mode, guard):
+    """The kind of event with which a guard of a mode ends it."""
+    if guard >= N_POINTS:
+        return BOUND
+    return LANDING if state_in_code(mode, guard) == OPEN else LIFTING
+
+
+@inlined
+def subject_of(mode, guard):
+    """The point of a guard, or its bound, numbered behind the points."""
+    return guard
+
+
+@inlined
+def target_of(mode, guard):
+    """No guard leads to a certain mode."""
+    return -1
+
+
+@inlined
+def reverse_of(mode, guard):
+    """No guard leads back."""
+    return -1
+
+
+@inlined
+def part_of(mode, guard):
+    """No guard is the larger of two."""
+    return -1
+
+
+@inlined
+def side_of(mode):
+    """No mode has a side."""
+    return 0.0
+
+
+@inlined
+def point_state(mode, point):
+    """The state of a point in a mode."""
+    return state_in_code(mode, point)
+
+
+@inlined
+def element_state(mode, element):
+    """No element switches."""
+    return 0
+
+
+@inlined
+def shares_with(mode, point):
+    """The point itself: none shares friction."""
+    return point

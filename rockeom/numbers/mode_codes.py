@@ -1,0 +1,120 @@
+"""Modes whose number is a code of digits, one for the state of each point: what a number says.
+
+Generated modules of structures in space have tables by these codes, which are as long as there are
+codes and work out a row when it is asked for.
+"""
+
+import re
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from rockeom.codes import BOUND, FRICTIONLESS, IDLE_POINT, LANDING, LIFTING, OPEN, STATES_IN_SPACE
+
+_WORDS = {FRICTIONLESS: "", IDLE_POINT: "_idle"}
+_STATES = {word: state for state, word in _WORDS.items()}
+_FLIGHT = "flight"
+
+
+class ByCode(Sequence[Any]):
+    """A table with a row for each mode.
+
+    Parameters
+    ----------
+    points : int
+        Number of points.
+    row : callable
+        What the table has of a mode, by the states of its points, a tuple of int.
+    """
+
+    def __init__(self, points: int, row: Callable[[tuple[int, ...]], Any]) -> None:
+        self._points, self._row = points, row
+
+    def __len__(self) -> int:
+        return len(STATES_IN_SPACE) ** self._points
+
+    def __getitem__(self, mode: Any) -> Any:
+        if isinstance(mode, slice):
+            return [self[i] for i in range(*mode.indices(len(self)))]
+        if not 0 <= mode < len(self):
+            raise IndexError(f"mode {mode} of {len(self)}")
+        return self._row(states_of(int(mode), self._points))
+
+
+class ModeNames(ByCode):
+    """Names of modes: points that touch, joined by "_"; "flight" where none does.
+
+    Parameters
+    ----------
+    points : tuple of str
+        Names of the points.
+    """
+
+    def __init__(self, points: Sequence[str]) -> None:
+        self._names = tuple(points)
+        super().__init__(len(points), self._name)
+
+    def _name(self, states: tuple[int, ...]) -> str:
+        words = (name + _WORDS.get(s, "") for name, s in zip(self._names, states, strict=True) if s)
+        return "_".join(words) or _FLIGHT
+
+    def index(self, value: Any, *_: Any) -> int:
+        """The mode of that name; ValueError where there is none."""
+        parts = "".join(
+            f"(?:{re.escape(name)}({'|'.join(_WORDS.values())})_)?" for name in self._names
+        )
+        match = re.fullmatch(parts, "" if value == _FLIGHT else f"{value}_")
+        if match is None or not value:
+            raise ValueError(f"{value!r} is not a mode")
+        return code_of([_STATES.get(word, OPEN) for word in match.groups()])
+
+    def __contains__(self, value: object) -> bool:
+        try:
+            self.index(value)
+        except ValueError:
+            return False
+        return True
+
+
+def states_of(mode: int, points: int) -> tuple[int, ...]:
+    """The states of the points in a mode."""
+    base = len(STATES_IN_SPACE)
+    return tuple(STATES_IN_SPACE[mode // base**i % base] for i in range(points))
+
+
+def code_of(states: Sequence[int]) -> int:
+    """The mode in which points have these states."""
+    digits = map(STATES_IN_SPACE.index, states)
+    return sum(digit * len(STATES_IN_SPACE) ** i for i, digit in enumerate(digits))
+
+
+def tables_by_code(points: Sequence[str], bounds: int) -> tuple[Any, ...]:
+    """MODES, POINT_STATES, KINDS, SUBJECTS, SHARED and others whose rows are alike.
+
+    Parameters
+    ----------
+    points : tuple of str
+        Names of the points.
+    bounds : int
+        Number of bounds, whose guards stand behind those of the points.
+
+    Returns
+    -------
+    tuple of ByCode
+        Tables MODES, POINT_STATES, KINDS, SUBJECTS, SHARED, GUARDS, ELEMENT_STATES and SIDES; then
+        TARGETS, REVERSE and PARTS, which are one.
+    """
+    m = len(points)
+    subjects = tuple(range(m + bounds))
+
+    def kinds(states: tuple[int, ...]) -> tuple[int, ...]:
+        of_points = (LANDING if state == OPEN else LIFTING for state in states)
+        return (*of_points, *[BOUND] * bounds)
+
+    def alike(value: Any) -> ByCode:
+        return ByCode(m, lambda states: value)
+
+    none = alike((-1,) * len(subjects))
+    return (
+        ModeNames(points), ByCode(m, tuple), ByCode(m, kinds), alike(subjects),
+        alike(tuple(range(m))), alike(len(subjects)), alike(()), alike(0.0), none, none, none,
+    )  # fmt: skip
