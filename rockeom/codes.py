@@ -51,6 +51,7 @@ STEPPED_OVER = -2
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS, IDLE_POINT = range(6)
 STATES_IN_SPACE = OPEN, FRICTIONLESS, IDLE_POINT
 """States of a point by the digit that it has in the number of a mode of a structure in space."""
+MOST_POINTS_IN_SPACE = 8
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
 # Verdicts on a step in which no guard is known to fall

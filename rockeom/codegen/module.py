@@ -12,7 +12,8 @@ import textwrap
 
 from rockeom.codegen.declared import declared
 from rockeom.codegen.names import check_names, docstring
-from rockeom.codegen.outputs import outputs
+from rockeom.codegen.numeric import numeric
+from rockeom.codegen.outputs import Columns, outputs
 from rockeom.codegen.parameters import functions_of_parameters, shapes
 from rockeom.codegen.prelude import PRELUDE, without_prelude
 from rockeom.codegen.printer import WIDTH
@@ -58,8 +59,7 @@ def module_text(declaration: Lowers) -> str:
     model = declaration.hybrid
     check_derived(model)
     text = Text(model)
-    search = model.search
-    columns, guards = declared(text) if search is None else searched(text, search)
+    columns, guards = _of_modes(text)
     columns |= outputs(text) | shapes(text)
     functions_of_parameters(text)
     head = tables(text, columns, guards)
@@ -68,6 +68,14 @@ def module_text(declaration: Lowers) -> str:
     body = "\n".join([*head, *ROUNDING.splitlines(), *text.lines]) + "\n"
     own, shared = without_prelude(body)
     return _header(text, own, shared) + own
+
+
+def _of_modes(text: Text) -> tuple[dict[str, Columns], list[str]]:
+    """Add the functions that differ from mode to mode; their columns, and the tables of modes."""
+    search = text.model.search
+    if search is None:
+        return declared(text)
+    return numeric(text, search.of) if search.of.by_code else searched(text, search)
 
 
 def _header(text: Text, body: str, shared: list[str]) -> str:
@@ -80,7 +88,7 @@ def _header(text: Text, body: str, shared: list[str]) -> str:
         parameters="\n                ".join(
             f"{p.name} [{p.unit}]: {p.meaning}" for p in model.parameters
         ),
-        modes=", ".join(model.mode_names),
+        modes="a digit for each point" if model.is_by_code else ", ".join(model.mode_names),
         operations="\n".join(
             f"    {name:<22}{b:>6}{a:>6}" for name, (b, a) in text.operations.items()
         ),

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.codegen.outputs import Columns
+from rockeom.codegen.points import functions_of_points
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
 from rockeom.codegen.text import Text, branched
@@ -24,7 +25,6 @@ from rockeom.codes import (
     LANDING,
     LIFTING,
     MOST_DIGITS,
-    NEVER_SLIPS,
     OPEN,
     SLIPPING,
     STICK,
@@ -36,9 +36,8 @@ from rockeom.symbolic.beds import number_of_combinations
 from rockeom.symbolic.contacts import Contact, ContactDeclaration
 from rockeom.symbolic.elements import Ending, Tie
 from rockeom.symbolic.hybrid import Search
-from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Body, InternalVariable
-from rockeom.symbolic.modes.balance import force_of, free_motion
+from rockeom.symbolic.modes.balance import force_of
 from rockeom.symbolic.modes.derived import VERBS, DerivedMode
 from rockeom.symbolic.modes.every import Modes, Pattern
 from rockeom.symbolic.modes.kinematics import SLIP, sign_of_slip
@@ -106,17 +105,8 @@ def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]
     _guards(written)
     if search.of.switching or not search.of.contacts:
         _jump(written)
-    _free_motion(written)
-    _points(written)
-    _point_laws(written)
-    if search.of.impact_law != "newton":
-        _point_numbers(written)
+    functions_of_points(text, search.of)
     return {"REACTIONS": _reactions(written)}, _tables(written)
-
-
-def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
-    """Lines of a function that is the same in every mode."""
-    return text.evaluate(name, targets, "    ") or ["    pass"]
 
 
 def _chosen(name: str, table: str, branches: list[list[str]]) -> list[str]:
@@ -475,80 +465,6 @@ def _jump(written: Written) -> None:
             *lines,
             "    return TARGETS[mode][guard]",
         ],
-    )
-
-
-def _free_motion(written: Written) -> None:
-    text, of, n = written.text, written.of, written.text.n
-    matrix, forces = free_motion(of)
-    inertia = sp.diag(matrix, *([0] * len(of.internal)))  # internal variables have none
-    targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
-    targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
-    text.function(
-        f"free_motion(y, p, {text.shaking}, mode, matrix, forces)",
-        "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
-        written.text.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
-    )
-
-
-def _still(of: ContactDeclaration) -> list[sp.Expr]:
-    """A zero for the integral of each internal variable: no force, no gap knows of it."""
-    return [sp.S.Zero] * len(of.internal)
-
-
-def _points(written: Written) -> None:
-    text, of = written.text, written.of
-    coordinates = of.coordinates
-    targets: dict[str, sp.Expr] = {}
-    still = {c.acceleration: 0 for c in coordinates}
-    size = 5 + 2 * text.n
-    for i, contact in enumerate(of.contacts):
-        gap, slip = contact.at(contact.side)
-        rates = [rate(e, coordinates) for e in (gap, slip)]
-        biases = [rate(e, coordinates).subs(still) for e in rates]
-        slopes = [
-            slope
-            for e in (gap, slip)
-            for slope in (*(sp.diff(e, c.position) for c in coordinates), *_still(of))
-        ]
-        for j, e in enumerate([gap, *rates, *biases, *slopes]):
-            targets[f"out[{size * i + j}]"] = tidy(e)
-    text.function(
-        "points(y, p, out)",
-        f"""For each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
-
-    gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
-        _every(text, "points", targets),
-    )
-
-
-def _point_laws(written: Written) -> None:
-    text, of = written.text, written.of
-    targets: dict[str, sp.Expr] = {}
-    for i, contact in enumerate(of.contacts):
-        friction = contact.law.friction
-        targets[f"out[{2 * i}]"] = sp.sympify(contact.law.restitution)
-        mu = sp.Float(NEVER_SLIPS) if friction is None else sp.sympify(friction)
-        targets[f"out[{2 * i + 1}]"] = mu
-    text.function(
-        "point_laws(p, out)",
-        "For each point from out[2 * i]: restitution, and coefficient of friction.",
-        _every(text, "point_laws", targets),
-    )
-
-
-def _point_numbers(written: Written) -> None:
-    """The number that an impact law has of each point, besides restitution and friction."""
-    of, targets = written.of, {}
-    for i, contact in enumerate(of.contacts):
-        law = contact.law
-        slips = sp.S.NegativeOne if law.tangential is None else law.tangential
-        number = slips if law.law == "moreau" else law.stiffness
-        targets[f"out[{i}]"] = sp.sympify(number)
-    written.text.function(
-        "point_numbers(p, out)",
-        "For each point: its stiffness, or with Moreau's law e of its slip, -1: that of the gap.",
-        _every(written.text, "point_numbers", targets),
     )
 
 

@@ -64,7 +64,7 @@ def _words(model: HybridModel) -> list[str]:
         *table("PARAMETER_MEANINGS", [p.meaning for p in model.parameters]),
         *table("PARAMETER_SIGNS", [_sign(p) for p in model.parameters]),
         *_of_sizes(model),
-        *table("MODES", model.mode_names),
+        *([] if model.is_by_code else table("MODES", model.mode_names)),
     ]
 
 

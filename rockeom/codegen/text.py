@@ -73,7 +73,8 @@ class Text:
         coordinates = model.integrated
         self.n = len(coordinates)
         names = Names()
-        self.mode_constants = {m: names.of_mode(m) for m in model.mode_names}
+        listed = model.mode_names[:1] if model.is_by_code else model.mode_names
+        self.mode_constants = {m: names.of_mode(m) for m in listed}
         self.states = [names.of(name) for name in model.states]
         self.parameters = [names.of(p.name) for p in model.parameters]
         self.user_names = names.taken

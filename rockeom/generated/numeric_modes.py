@@ -11,22 +11,21 @@ arrays of their caller.
 
 import numpy as np
 
-from rockeom.codes import FRICTIONLESS, IDLE_POINT, OPEN, STATES_IN_SPACE
+from rockeom.codes import FRICTIONLESS, IDLE_POINT, MOST_POINTS_IN_SPACE, OPEN, STATES_IN_SPACE
 from rockeom.compiler.decorators import inlined, rolled
 
 __fused__ = False
 
-MOST_POINTS = 8
 MOST_COORDINATES = 24
 DIGITS = len(STATES_IN_SPACE)
-PLACE_VALUES = tuple(DIGITS**i for i in range(MOST_POINTS))
+PLACE_VALUES = tuple(DIGITS**i for i in range(MOST_POINTS_IN_SPACE))
 
 # Where `points` tells what of each: gap, rates of gap and slips, their biases, rows of all three
-BIAS = 4
-ROW = 7
+FIRST_BIAS = 4
+FIRST_LEVER = 7
 
 REDUNDANT = 1e-12  # of the largest pivot: a row that others give, but for rounding
-ROUNDING = 1e-14  # of the terms of a sum: nothing but rounding errors
+NONE_OF_TERMS = 1e-14  # of the terms of a sum: nothing but rounding errors
 
 
 @inlined
@@ -34,6 +33,19 @@ def state_in_code(mode, point):
     """The state of a point in a mode: a digit of its number."""
     rest = int(mode / PLACE_VALUES[point])
     return STATES_IN_SPACE[rest - DIGITS * int(rest / DIGITS)]
+
+
+def touching(mode, m, place):
+    """(all, bearing): how many points touch, and bear; those that bear come first in place (m,)."""
+    number = bearing = 0
+    for turn in range(2):
+        for i in range(m):
+            if state_in_code(mode, i) == (FRICTIONLESS if turn == 0 else IDLE_POINT):
+                place[number] = i
+                number += 1
+        if turn == 0:
+            bearing = number
+    return number, bearing
 
 
 @rolled
@@ -80,7 +92,7 @@ def share_load(k, others, a, share):
     points are independent.
     """
     width, rank, largest = k + others + 1, 0, 0.0
-    pivots = np.zeros(MOST_POINTS, np.int64)
+    pivots = np.zeros(MOST_POINTS_IN_SPACE, np.int64)
     for i in range(k):
         largest = max(largest, a[i * width + i])
     for _ in range(k):
@@ -119,7 +131,8 @@ def spread_load(k, width, pivots, a):
     With F, by which the rows of all others are combinations of theirs: (1 + F F') N = N of those
     alone. The forces stand in the last column of a.
     """
-    left, row = np.empty(MOST_POINTS * (MOST_POINTS + 1)), np.empty(MOST_POINTS, np.int64)
+    left = np.empty(MOST_POINTS_IN_SPACE * (MOST_POINTS_IN_SPACE + 1))
+    row = np.empty(MOST_POINTS_IN_SPACE, np.int64)
     rank = 0
     for i in range(k):
         if pivots[i] == 1:
@@ -155,24 +168,18 @@ def motion_in_code(mode, n, m, matrix, forces, told, accelerations, share):
     matrix (n, n), forces (n,) : of `free_motion`. told : of `points`. share : zero of a point that
     is open; of an idle one what it would bear, negative as long as it is idle.
     """
-    size = ROW + 3 * n
-    place, order = np.empty(MOST_POINTS, np.int64), 0
-    for wanted in (FRICTIONLESS, IDLE_POINT):
-        for i in range(m):
-            if state_in_code(mode, i) == wanted:
-                place[order] = i
-                order += 1
-    bearing = 0
+    size = FIRST_LEVER + 3 * n
+    place = np.empty(MOST_POINTS_IN_SPACE, np.int64)
+    order, bearing = touching(mode, m, place)
     for i in range(m):
         share[i] = 0.0
-        bearing += 1 if state_in_code(mode, i) == FRICTIONLESS else 0
-    b = np.empty(MOST_COORDINATES * (MOST_POINTS + 1))
+    b = np.empty(MOST_COORDINATES * (MOST_POINTS_IN_SPACE + 1))
     a, scratch = np.empty(MOST_COORDINATES * MOST_COORDINATES), np.empty(MOST_COORDINATES)
     columns = bearing + 1
     for i in range(n):
         b[i * columns] = forces[i]
         for j in range(bearing):
-            b[i * columns + 1 + j] = told[place[j] * size + ROW + i]
+            b[i * columns + 1 + j] = told[place[j] * size + FIRST_LEVER + i]
     solve_through_mass(n, matrix, b, columns, a, scratch, 1e-13)
     if bearing > 0:
         width = order + 1
@@ -180,14 +187,14 @@ def motion_in_code(mode, n, m, matrix, forces, told, accelerations, share):
             for j in range(width):
                 # of M^-1 J' of this point, or last of the free accelerations
                 column = i + 1 if j < order else 0
-                row = place[j if j < order else i] * size + ROW
+                row = place[j if j < order else i] * size + FIRST_LEVER
                 total = 0.0
                 for c in range(n):
                     total += told[row + c] * b[c * columns + column]
                 a[i * width + j] = total
             last = i * width + order
-            a[last] = -a[last] - told[place[i] * size + BIAS]
-        found = np.empty(MOST_POINTS)
+            a[last] = -a[last] - told[place[i] * size + FIRST_BIAS]
+        found = np.empty(MOST_POINTS_IN_SPACE)
         share_load(bearing, order - bearing, a, found)
         for j in range(order):
             share[place[j]] = found[j]
@@ -197,7 +204,7 @@ def motion_in_code(mode, n, m, matrix, forces, told, accelerations, share):
             term = share[place[j]] * b[i * columns + 1 + j]
             total += term
             largest += abs(term)
-        accelerations[i] = total if abs(total) > ROUNDING * largest else 0.0
+        accelerations[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
 
 
 @inlined
@@ -207,6 +214,6 @@ def guards_in_code(mode, n, m, told, share, g):
         state = state_in_code(mode, i)
         g[i] = share[i]
         if state == OPEN:
-            g[i] = told[i * (ROW + 3 * n)]
+            g[i] = told[i * (FIRST_LEVER + 3 * n)]
         elif state == IDLE_POINT:
             g[i] = -share[i]

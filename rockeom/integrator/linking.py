@@ -17,6 +17,7 @@ from rockeom.integrator.schema import (
     ground_axes,
     has_points,
     impact_law,
+    is_by_code,
 )
 from rockeom.integrator.texts import source
 
@@ -96,6 +97,8 @@ def texts_of_modes(
 ) -> list[Text]:
     """What the number of a mode says, what points may do, and how many axes the ground has."""
     names = ["modes_by_table", *(["points_in_plane"] if _has_points_that_open(generated) else [])]
+    if is_by_code(generated):
+        names = ["modes_by_code", "points_in_space"]
     ground = f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n"
     texts = [read(f"{INTEGRATOR}.transitions.{name}") for name in names]
     return [*texts, Text("the ground", ground)]

@@ -1,11 +1,8 @@
 """Rows of the record of a motion, and the mode that begins with an event."""
 
-from rockeom.codes import LIFTING, OUT_OF_BOUNDS, UPLIFT
+from rockeom.codes import LIFTING, OUT_OF_BOUNDS, OVERTURNED, UPLIFT
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.provided import (
-    N_STATES,
-    kind_of,
-)
+from rockeom.integrator.provided import N_STATES, is_tilt, kind_of
 
 
 def record_step(recorder, row, t, h, mode, coefficients):
@@ -54,4 +51,5 @@ def end_at_bound(motion, guard, a, recorder):
     """Record where a motion reaches a bound, and end it there."""
     for i in range(N_STATES):
         a.after[i] = a.y[i]
-    return enter_mode(motion, guard, motion.mode, -1, a, recorder)._replace(outcome=OUT_OF_BOUNDS)
+    outcome = OVERTURNED if is_tilt(motion.mode, guard) else OUT_OF_BOUNDS
+    return enter_mode(motion, guard, motion.mode, -1, a, recorder)._replace(outcome=outcome)

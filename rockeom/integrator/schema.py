@@ -117,6 +117,11 @@ def still_ground(module: Any) -> tuple[float, ...]:
     return (0.0,) * len(ground_axes(module))
 
 
+def is_by_code(module: Any) -> bool:
+    """Whether the number of a mode has a digit for each point, and modes are solved as numbers."""
+    return getattr(module, "BY_CODE", False)
+
+
 def has_points(module: Any) -> TypeGuard[SearchedModes]:
     """Whether a structure's modes are searched for among those of its points and elements."""
     return hasattr(module, "POINT_STATES")

@@ -10,7 +10,7 @@ from typing import ClassVar, NamedTuple, overload
 import numpy as np
 
 from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
-from rockeom.integrator.schema import has_landings
+from rockeom.integrator.schema import ground_axes, has_landings
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, described
 from rockeom.structures.base import Structure
@@ -234,15 +234,17 @@ class Impacts(Events):
         Returns
         -------
         ndarray
-            Impulses (k, 2) [N s], the gain of momentum of all bodies.
+            Impulses (k, 2) [N s], the gain of momentum of all bodies; in space (k, 3), along both
+            horizontal axes and upwards.
         """
         before, after = self.momenta
         return (after - before).T
 
     @cached_property
     def momenta(self) -> np.ndarray:
-        """(2, 2, k) horizontal and vertical momentum before and after [N s]."""
-        return np.stack([self._of_sides("momentum", 2, side) for side in (0, 1)])
+        """(2, axes, k) momentum before and after along the axes of the ground [N s]."""
+        axes = len(ground_axes(self.structure.module))
+        return np.stack([self._of_sides("momentum", axes, side) for side in (0, 1)])
 
     @property
     def energy_gains(self) -> np.ndarray:

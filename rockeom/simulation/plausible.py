@@ -153,7 +153,7 @@ def sloping(structure: Structure, slope: float) -> tuple[str, ...]:
         module = cast(SearchedModes, structure.module)
         each = friction_of(module, structure.vector)
         points = Points(module, structure.state({}), structure.vector)
-        slides = points.contacts().closed.astype(bool) & points.tangential.any(axis=-1)
+        slides = points.contacts().closed.astype(bool) & points.tangential.any(axis=(-2, -1))
         groups = [[i for i in of if slides[i]] for of in surfaces(module).values()]
         friction = min((each[of].max() for of in groups if of), default=math.inf)
     if friction < least:

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
-from rockeom.integrator.schema import GeneratedModule, has_landings, still_ground
+from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code, still_ground
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.extremes import Extremes, extremes, last_crest
 from rockeom.simulation.quantities import Quantities
@@ -131,10 +131,10 @@ class Support:
         if not meets_ground(self._structure.module):
             return math.nan
         before, after = self._events.impacts.momenta
-        across, up = gained = after - before
+        gained, size = after - before, np.hypot.reduce
         # in the smallest impacts of a vibrating structure the difference is rounding
-        counts = np.hypot(*gained) > 1e-9 * np.hypot(np.hypot(*before), np.hypot(*after))
-        across, up = np.abs(across[counts]), up[counts]
+        counts = size(gained) > 1e-9 * np.hypot(size(before), size(after))
+        across, up = np.abs(size(gained[:-1]))[counts], gained[-1, counts]
         ratios = np.divide(across, up, out=np.full(len(up), np.inf), where=up > 0.0)
         return float(ratios.max(initial=0.0))
 
@@ -225,6 +225,8 @@ class Support:
             )
         if self._sliding_points:
             return self._describe_sliding()
+        if is_by_code(self._structure.module):
+            return "Its feet have no friction: the ground moves under them."
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:
@@ -276,7 +278,7 @@ def surfaces(module: GeneratedModule) -> dict[str, tuple[int, ...]]:
 
     Points are of one surface where a mode lets them share their friction.
     """
-    if not has_landings(module):
+    if not has_landings(module) or is_by_code(module):
         return {}
     first = list(range(len(module.POINTS)))
     for shared in module.SHARED:
@@ -328,7 +330,7 @@ def demands_of_landings(
     n = module.N_STATES // 2
     _, kinds, landings = events.of(LANDING)
     largest = [0.0] * len(groups)
-    if not (has_landings(module) and len(landings)):
+    if not (groups and len(landings)):
         return largest
     points = Points(module, landings[:, 0], p)
     # besides where the motion goes: at a landing all coordinates may be none, but for rounding
@@ -339,7 +341,7 @@ def demands_of_landings(
     ):
         module.free_motion(arriving, p, *still_ground(module), mode, matrix, forces)
         gained = matrix.reshape(n, n) @ (leaving[n:] - arriving[n:])
-        rows = np.vstack([normal[near], along[near]])
+        rows = np.vstack([normal[near], *along[near]])
         (at,) = np.nonzero(near)
         pressed, rubbed = np.zeros(len(near)), np.zeros(len(near))
         impulses = np.linalg.lstsq(rows.T, gained, rcond=1e-12)[0]

@@ -14,7 +14,14 @@ import numpy as np
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
 from rockeom.integrator.linking import texts_of_modes
-from rockeom.integrator.schema import PROVIDED, GeneratedModule, SearchedModes, angles, still_ground
+from rockeom.integrator.schema import (
+    PROVIDED,
+    GeneratedModule,
+    SearchedModes,
+    angles,
+    ground_axes,
+    still_ground,
+)
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -48,16 +55,18 @@ class Contacts(NamedTuple):
 class Points:
     """The points of a structure in a state (N,): gap, gap_rate (m,), and Jacobians.
 
-    normal, tangential (m, n) : derivatives of gap and slip by the coordinates. All have the further
-    axes of states (..., N) in front.
+    normal (m, n), tangential (m, 1, n), in space (m, 2, n) : derivatives of gap and slips by the
+    coordinates. All have the further axes of states (..., N) in front.
     """
 
     def __init__(self, module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
-        n, m = len(module.STATES) // 2, len(module.POINTS)
-        rows = _of_points(module, y, p).reshape(*y.shape[:-1], m, 5 + 2 * n)
+        n, m, axes = len(module.STATES) // 2, len(module.POINTS), len(ground_axes(module))
+        rows = _of_points(module, y, p).reshape(*y.shape[:-1], m, _size_of_point(module))
+        levers = rows[..., 1 + 2 * axes :]
         self.module, self.y, self.p = module, y, p
         self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
-        self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
+        self.normal = levers[..., :n]
+        self.tangential = levers[..., n:].reshape(*levers.shape[:-1], axes - 1, n)
         place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
         self.size = (np.abs(self.normal) @ place)[..., 0] + 1e-300
         self.speed = (np.abs(self.normal) @ motion)[..., 0] + 1e-300
@@ -86,9 +95,14 @@ class Points:
         return contacts
 
 
+def _size_of_point(module: SearchedModes) -> int:
+    """How many numbers `points` of the module tells of each: gap, rates, biases and rows."""
+    return 1 + len(ground_axes(module)) * (2 + len(module.STATES) // 2)
+
+
 def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """The values of `points` of the module in states (..., N), in one row of each."""
-    columns = len(module.POINTS) * (5 + len(module.STATES))
+    columns = len(module.POINTS) * _size_of_point(module)
     rows = np.zeros((*y.shape[:-1], columns), np.result_type(y, p))
     if rows.size:
         _fill(module, y.reshape(-1, y.shape[-1]), p, rows.reshape(-1, rows.shape[-1]))
@@ -163,7 +177,7 @@ def _standing(
     )
     choices = [closed, *(closed[i : i + 1] for i in range(len(closed)))]
     for held in choices:
-        rows = np.vstack([points.normal[held], points.tangential[held[sticky[held]]]])
+        rows = np.vstack([points.normal[held], *points.tangential[held[sticky[held]]]])
         moved = y.copy()
         lacking = rows @ y[n:]
         move = np.flatnonzero(free[n:])
@@ -552,7 +566,7 @@ def _holding(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> tuple[np.ndarray
     """
     points = Points(m, y, p)
     closed = points.contacts().closed == 1
-    return closed, np.vstack([points.normal[closed], points.tangential[closed]])
+    return closed, np.vstack([points.normal[closed], *points.tangential[closed]])
 
 
 @cache

@@ -14,7 +14,7 @@ from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
 from rockeom.symbolic.hybrid import HybridModel, Search
-from rockeom.symbolic.model import Outline
+from rockeom.symbolic.model import Outline, Tilt
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.every import Modes
 from rockeom.symbolic.parts import mechanics
@@ -77,8 +77,9 @@ class Model(Declared, ContactDeclaration):
         Source of the equations.
     members : tuple of Member, optional
         Lines of a sketch.
-    falls : dict of Coordinate to sympy.Expr, optional
-        Further coordinates that overturn, each with the size at which it has, {coordinate: size}.
+    falls : dict of Coordinate or Tilt to sympy.Expr, optional
+        Further coordinates that overturn, each with the size at which it has, {coordinate: size}; a
+        body in space by its tilt, see `space.tilt`.
     bounds : dict of str to sympy.Expr, optional
         Where the declaration holds: functions of the coordinates, positive within, by name. A
         motion ends where one falls through zero, with the outcome "out of bounds". Bodies that
@@ -206,7 +207,7 @@ class Model(Declared, ContactDeclaration):
             self.overturning,
             reference=self.reference,
             members=self.members,
-            falls=self.falls,
+            falls={c: size for c, size in self.falls.items() if not isinstance(c, Tilt)},
             search=Search(self),
         )
 

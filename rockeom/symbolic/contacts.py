@@ -18,7 +18,16 @@ from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import Element, Ending, Spring, Switching, switch_of
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Member, Parameter, Point
+from rockeom.symbolic.model import (
+    Body,
+    Coordinate,
+    InternalVariable,
+    Member,
+    Parameter,
+    Point,
+    Tilt,
+    shaking,
+)
 
 
 @explained.record()
@@ -144,8 +153,8 @@ class Contact:
         Name of the point, such as "left".
     gap : sympy.Expr
         Distance of the point from the surface, not negative.
-    slip : sympy.Expr
-        Tangential place, which grows to the right.
+    slip : sympy.Expr or tuple of (sympy.Expr, sympy.Expr)
+        Tangential place, which grows to the right; in space along x and y.
     law : Rigid
         Contact law.
     side : int, optional
@@ -157,7 +166,7 @@ class Contact:
 
     name: str
     gap: sp.Expr
-    slip: sp.Expr
+    slip: sp.Expr | tuple[sp.Expr, sp.Expr]
     law: Rigid
     side: int = 0
     place: Point | None = None
@@ -165,16 +174,25 @@ class Contact:
     def __post_init__(self) -> None:
         what = f"contact {self.name!r}"
         valid.texts(what, name=self.name)
-        valid.expressions(what, gap=self.gap, slip=self.slip)
+        valid.expressions(what, gap=self.gap)
+        if isinstance(self.slip, tuple):
+            valid.points(what, slip=self.slip)
+        else:
+            valid.expressions(what, slip=self.slip)
         if self.place is not None:
-            valid.points(what, place=self.place)
+            valid.points(what, axes=(1 + len(self.slips),), place=self.place)
         if not isinstance(self.law, Rigid):
             raise ValueError(
                 f"{what}: its law is {self.law!r}: give Rigid(restitution, friction) or Pinned(), "
                 "both of rockeom.symbolic"
             )
 
-    def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
+    @property
+    def slips(self) -> tuple[sp.Expr, ...]:
+        """Its slip; in space along x and y."""
+        return self.slip if isinstance(self.slip, tuple) else (self.slip,)
+
+    def at(self, side: sp.Expr | int) -> tuple[sp.Expr, ...]:
         """Gap and slip, the side put in.
 
         Parameters
@@ -187,15 +205,15 @@ class Contact:
         gap : sympy.Expr
             Gap.
         slip : sympy.Expr
-            Slip.
+            Slip; in space two.
         """
-        return at_side(self.gap, side), at_side(self.slip, side)
+        return tuple(at_side(e, side) for e in (self.gap, *self.slips))
 
     @property
     def point(self) -> Point:
         """Its place."""
-        x, y = (self.slip, self.gap) if self.place is None else self.place
-        return at_side(x, self.side), at_side(y, self.side)
+        place = (*self.slips, self.gap) if self.place is None else self.place
+        return tuple(at_side(e, self.side) for e in place)
 
 
 @dataclass(frozen=True)
@@ -346,7 +364,7 @@ class ContactDeclaration:
     load_point: Point | None = None
     reference: str = ""
     members: tuple[Member, ...] = ()
-    falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    falls: Mapping[Coordinate | Tilt, sp.Expr] = field(default_factory=dict, hash=False)
     bounds: Mapping[str, sp.Expr] = field(default_factory=dict, hash=False)
 
     @cached_property
@@ -363,6 +381,22 @@ class ContactDeclaration:
             forces=self._generalised_forces,
             elements=self.springs,
         )
+
+    @property
+    def axes(self) -> int:
+        """Number of axes of a place: two in the plane, three in space."""
+        return len(shaking(self.bodies))
+
+    @property
+    def by_code(self) -> bool:
+        """Whether modes are numbers only, a digit for each point, as those of contacts in space."""
+        return bool(self.contacts) and self.axes == 3
+
+    @property
+    def limits(self) -> dict[str, sp.Expr]:
+        """Functions that are positive until a motion ends: `bounds`, and behind them tilts."""
+        tilts = {t.name: t.cosine - sp.cos(e) for t, e in self.falls.items() if isinstance(t, Tilt)}
+        return {**self.bounds, **tilts}
 
     @property
     def open_mode(self) -> str:

@@ -7,13 +7,14 @@ the generated code are written from it alone.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Protocol
 
 import sympy as sp
 
+from rockeom.numbers.mode_codes import ModeNames
 from rockeom.symbolic import model
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
@@ -35,6 +36,13 @@ class Search:
     """
 
     of: ContactDeclaration
+
+    @property
+    def names(self) -> Sequence[str]:
+        """Names of all modes, in the order of their numbers."""
+        if self.of.by_code:
+            return ModeNames([c.name for c in self.of.contacts])
+        return self.modes.names
 
     @cached_property
     def modes(self) -> Modes:
@@ -123,12 +131,17 @@ class HybridModel:
     # -- names and states ----------------------------------------------------------------------
 
     @property
-    def mode_names(self) -> tuple[str, ...]:
+    def mode_names(self) -> Sequence[str]:
         """Names of all modes, in the order in which generated code numbers them."""
         if self.search is not None:
-            return self.search.modes.names
+            return self.search.names
         names = [name for mode in self.modes for name in mode.names]
         return tuple(sorted(names, key=lambda n: ("left" not in n, "both" not in n, n)))
+
+    @property
+    def is_by_code(self) -> bool:
+        """Whether the number of a mode has a digit for each point, and modes are not listed."""
+        return self.search is not None and self.search.of.by_code
 
     @property
     def internal(self) -> Mapping[model.InternalVariable, sp.Expr]:

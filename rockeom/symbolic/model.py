@@ -259,6 +259,26 @@ class Body:
         valid.symmetric(what, inertia=self.inertia)
 
 
+@dataclass(frozen=True)
+class Tilt:
+    """Angle of a body's axis from the vertical, at some size of which it has overturned.
+
+    Parameters
+    ----------
+    name : str
+        Name, by which events have it.
+    cosine : sympy.Expr
+        Cosine of the angle.
+    """
+
+    name: str
+    cosine: sp.Expr
+
+    def __post_init__(self) -> None:
+        valid.name("tilt", self.name)
+        valid.expressions("tilt", cosine=self.cosine)
+
+
 def shaking(bodies: Iterable[Body]) -> tuple[sp.Symbol, ...]:
     """The accelerations of the ground under some bodies: two in the plane, three in space."""
     return GROUND_ACCELERATIONS[: max((len(body.position) for body in bodies), default=2)]

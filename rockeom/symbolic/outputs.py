@@ -98,6 +98,8 @@ def _touches(of: ContactDeclaration, contact: Contact) -> str:
     A surface that moves along below a foot is no ground: the foot slips on it by another distance
     than it moves. A foot that rolls does so, too, and the difference is a rotation.
     """
+    if of.axes == 3:
+        return FOOT
     x, y = contact.point
     gap, slip = contact.at(contact.side)
     moving = {c.position for c in of.coordinates}
@@ -181,9 +183,11 @@ def kinematics(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
             values[f"{foot}_uplift"] = moved(mode.feet[foot].position[1])
         return values | mode.quantities_in("m")
     points = [(c.name, *c.at(c.side)) for c in model.search.of.contacts]
-    values |= {f"{name}_uplift": gap for name, gap, _ in points}
+    values |= {f"{name}_uplift": gap for name, gap, *_ in points}
     values |= {f"{e.name}_{e.outputs[1]}": e.output_displacement for e, _ in switching(model)}
-    values |= {f"{name}_slip": moved(slip) for name, _, slip in points}
+    for name, _, *slips in points:
+        along = ("_x", "_y") if len(slips) > 1 else ("",)
+        values |= {f"{name}_slip{w}": moved(s) for w, s in zip(along, slips, strict=True)}
     return {name: tidy(e) for name, e in values.items()}
 
 

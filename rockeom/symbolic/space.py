@@ -16,13 +16,15 @@ A column on its rim, two coordinates:
           bounds={"flat": tilt.position})
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
-from rockeom.symbolic.model import Body, Point
+from rockeom.symbolic.contacts import Contact, Rigid
+from rockeom.symbolic.model import Body, Point, Tilt
 
 _ORIGIN = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
 
@@ -230,3 +232,56 @@ def cylinder(
     across = mass * (3 * sp.sympify(radius) ** 2 + sp.sympify(height) ** 2) / 12
     along = mass * sp.sympify(radius) ** 2 / 2
     return body(name, mass, sp.diag(across, across, along), at, centroid)
+
+
+@explained.calls()
+def feet(at: Frame, places: Mapping[str, Point], law: Rigid) -> tuple[Contact, ...]:
+    """Points of a body that may touch level ground, z = 0.
+
+    Parameters
+    ----------
+    at : Frame
+        Frame of the body.
+    places : dict of str to tuple of (sympy.Expr, sympy.Expr, sympy.Expr)
+        Place of each point in the frame, by its name.
+    law : Rigid
+        Contact law of all.
+
+    Returns
+    -------
+    tuple of Contact
+        Points.
+
+    Examples
+    --------
+    >>> from rockeom.symbolic import Rigid, space
+    >>> frame = space.frame(0, 0, 0, origin=(0, 0, 1))
+    >>> [c.gap for c in space.feet(frame, {"a": (1, 0, -1), "b": (0, 1, -1)}, Rigid(friction=0))]
+    [0, 0]
+    """
+    contacts = []
+    for name, place in places.items():
+        x, y, z = at.at(tuple(place))
+        contacts.append(Contact(name, z, (x, y), law))
+    return tuple(contacts)
+
+
+@explained.calls()
+def tilt(at: Frame, angle: sp.Expr, name: str = "tilt") -> dict[Tilt, sp.Expr]:
+    """Overturning of a body by the angle of its axis, z of its frame, from the vertical.
+
+    Parameters
+    ----------
+    at : Frame
+        Frame of the body.
+    angle : sympy.Expr
+        Angle at which it has overturned, below a quarter turn.
+    name : str, optional
+        Name, by which the event has it.
+
+    Returns
+    -------
+    dict of Tilt to sympy.Expr
+        What `falls` of a model takes.
+    """
+    return {Tilt(name, at.rotation[2, 2]): sp.sympify(angle)}

@@ -40,9 +40,10 @@ class Case:
         return np.array(value, float) if isinstance(value, list) else float(value)
 
     def agrees(self, **values: Any) -> None:
-        """Assert that values are those expected, relative to the largest number of a vector."""
+        """Assert that values are those expected, relative to the largest number of a vector, if any."""
         for name, value in values.items():
             right = self.right(name)
             assert np.shape(value) == np.shape(right)
-            error = np.abs(np.asarray(value) - right).max() / np.abs(right).max()
+            size = np.abs(right).max() or 1.0
+            error = np.abs(np.asarray(value) - right).max() / size
             assert error <= self.tolerance, f"{name}: {value}, and {right} is right ({error:.1e})"

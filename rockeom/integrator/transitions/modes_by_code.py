@@ -7,7 +7,7 @@ points come first, one of each, then those of bounds.
 from rockeom.codes import BOUND, LANDING, LIFTING, OPEN
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.numeric_modes import state_in_code
-from rockeom.integrator.provided import N_GUARDS, N_POINTS
+from rockeom.integrator.provided import N_BOUNDS_OF_DECLARATION, N_GUARDS, N_POINTS
 
 N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
 N_CANDIDATES = 2**N_POINTS  # sets of points that touch
@@ -25,6 +25,12 @@ def kind_of(mode, guard):
     if guard >= N_POINTS:
         return BOUND
     return LANDING if state_in_code(mode, guard) == OPEN else LIFTING
+
+
+@inlined
+def is_tilt(mode, guard):
+    """Whether a guard is the tilt at which a body has overturned: those are the last ones."""
+    return guard >= N_POINTS + N_BOUNDS_OF_DECLARATION
 
 
 @inlined

@@ -33,6 +33,12 @@ def kind_of(mode, guard):
 
 
 @inlined
+def is_tilt(mode, guard):
+    """No guard is the tilt of a body: that overturns by its rotation."""
+    return False
+
+
+@inlined
 def subject_of(mode, guard):
     """The point of a guard, or its element, numbered behind the points."""
     return SUBJECTS[mode][guard]

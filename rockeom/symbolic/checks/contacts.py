@@ -5,7 +5,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from rockeom.codes import MOST_MODES
+from rockeom.codes import MOST_MODES, MOST_POINTS_IN_SPACE
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.beds import number_of_combinations
@@ -58,7 +58,7 @@ def names_of_contacts(of: ContactDeclaration) -> Names:
     """Names of internal variables, contacts, elements, bodies and forces."""
     named = [c.name for c in of.contacts] + [e.name for e in of.elements]
     items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
-    named += of.bounds
+    named += of.limits
     items += [("contact, element or bound", name) for name in named]
     outputs, states = outputs_of(of), of.states
     bodies, forces = [b.name for b in of.bodies], [f.name for f in of.forces]
@@ -70,11 +70,17 @@ def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
     """Names of the quantities of points and elements in a response."""
     points = [c.name for c in of.contacts]
     return (
-        *(f"{name}_{what}" for name in points for what in ("reaction", "friction")),
-        *(f"{name}_{what}" for name in points for what in ("uplift", "slip")),
+        *(f"{name}_{what}" for name in points for what in what_of_points(of)),
         *(f"{e.name}_{what}" for e in of.switching for what in e.outputs),
         *springs_outputs(e.name for e in of.springs),
     )
+
+
+def what_of_points(of: ContactDeclaration) -> tuple[str, ...]:
+    """Words of the quantities of a point."""
+    if of.by_code:
+        return "reaction", "uplift", "slip_x", "slip_y"
+    return "reaction", "friction", "uplift", "slip"
 
 
 def check_contacts(of: ContactDeclaration) -> None:
@@ -92,11 +98,8 @@ def check_contacts(of: ContactDeclaration) -> None:
             "nothing touches: declare `contacts`, or `elements` that press, or by `bounds` where "
             "the coordinates alone keep the bodies on what carries them"
         )
-    if of.contacts and axes == {3}:
-        raise ModelError(
-            "its bodies move in space, and its contacts in the plane: leave `contacts` out, and "
-            "let the coordinates hold the bodies on the ground, as those of `space.wobble`"
-        )
+    if of.contacts:
+        _are_in_space(of) if axes == {3} else _are_in_plane(of)
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
             raise ModelError(
@@ -113,9 +116,43 @@ def check_places(of: ContactDeclaration) -> None:
     _moves(of)
     _are_few(of)
     _turns(of)
-    for contact in of.contacts:
+    for contact in of.contacts if of.axes == 2 else ():
         for body in of.bodies:
             _turns_with(of, contact, body)
+
+
+def _are_in_plane(of: ContactDeclaration) -> None:
+    for c in of.contacts:
+        if len(c.slips) > 1:
+            raise ModelError(
+                f"its bodies move in a plane, and contact {c.name!r} in space: give one slip"
+            )
+
+
+def _are_in_space(of: ContactDeclaration) -> None:
+    """Points slip along x and y, without friction, and no element switches."""
+    for c in of.contacts:
+        what = f"contact {c.name!r}"
+        if len(c.slips) != 2:
+            raise ModelError(
+                f"its bodies move in space, and {what} in the plane: declare it by "
+                "`space.feet(...)`, or leave `contacts` out, and let the coordinates hold the "
+                "bodies on the ground, as those of `space.wobble`"
+            )
+        if c.law.law != "newton":
+            raise ModelError(
+                f"{what} has the impact law {c.law.law!r}, by which a slip turns within an impact "
+                "in space: give 'newton'"
+            )
+        if not c.law.frictionless:
+            raise ModelError(f"{what} has friction, which no point in space has: give friction=0")
+    if of.switching:
+        raise ModelError(
+            f"element {of.switching[0].name!r} switches, which beside contacts in space none does: "
+            "declare a Spring"
+        )
+    if len(of.contacts) > (most := MOST_POINTS_IN_SPACE):
+        raise ModelError(f"it has {len(of.contacts)} contacts: declare at most {most} in space")
 
 
 def _reserved_symbols(of: ContactDeclaration) -> None:
@@ -144,7 +181,7 @@ def _are_few(of: ContactDeclaration) -> None:
 def _side(of: ContactDeclaration, contact: Contact) -> None:
     """A point that is written with the side s has an image on the other side."""
     what = f"contact {contact.name!r}"
-    sided = SIDE in contact.gap.free_symbols | contact.slip.free_symbols
+    sided = any(sp.sympify(e).has(SIDE) for e in (contact.gap, *contact.slips))
     if contact.side not in (-1, 0, 1):
         raise ModelError(f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
     if contact.side == 0 and sided:
@@ -174,8 +211,9 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
     for c in of.contacts:
         where = f" of contact {c.name!r}"
         yield f"gap{where}", c.gap, "qs"
-        yield f"slip{where}", c.slip, "qs"
-        for axis, e in zip("xy", c.place or (), strict=False):
+        for slip in c.slips:
+            yield f"slip{where}", slip, "qs"
+        for axis, e in zip("xyz", c.place or (), strict=False):
             yield f"{axis} of the place{where}", e, "qs"
         yield f"restitution{where}", c.law.restitution, ""
         yield f"friction{where}", 0 if c.law.friction is None else c.law.friction, ""
@@ -194,7 +232,7 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
         for value, displacement in f.components:
             yield f"value of force {f.name!r}", value, "qvz"
             yield f"displacement of force {f.name!r}", displacement, "q"
-    for name, e in of.bounds.items():
+    for name, e in of.limits.items():
         yield f"bound {name!r}", e, "q"
     for z, rate in of.rates.items():
         yield f"rate of {z.name!r}", rate, "qvz"
@@ -206,7 +244,7 @@ def _moves(of: ContactDeclaration) -> None:
     """Gaps, slips and compressions are functions of coordinates, and no two are the same."""
     q = {c.position for c in of.coordinates}
     for c in of.contacts:
-        for item, e in zip(("gap", "slip"), c.at(c.side), strict=True):
+        for item, e in zip(("gap", "slip", "slip"), c.at(c.side), strict=False):
             if not sp.sympify(e).free_symbols & q:
                 raise ModelError(
                     f"the {item} of contact {c.name!r} is {e}, which no coordinate changes: write "

@@ -1,0 +1,145 @@
+"""The functions of a structure whose modes are numbers only: motion, guards and forces.
+
+What is written of it is the free motion and the points. A mode's forces are solved for by
+`rockeom.generated.numeric_modes`, from which the module imports.
+"""
+
+from rockeom.codegen.outputs import Columns
+from rockeom.codegen.points import functions_of_points
+from rockeom.codegen.tables import table
+from rockeom.codegen.text import Text
+from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.reactions import total_reaction
+
+_SOLVER = ("guards_in_code", "motion_in_code", "state_in_code")
+_TABLES = (
+    "MODES", "POINT_STATES", "KINDS", "SUBJECTS", "SHARED", "GUARDS", "ELEMENT_STATES", "SIDES",
+    "TARGETS", "REVERSE", "PARTS",
+)  # fmt: skip
+WAYS = ("horizontal", "transverse", "vertical")
+
+
+def numeric(text: Text, of: ContactDeclaration) -> tuple[dict[str, Columns], list[str]]:
+    """Add all functions; returns the table of names of forces, and the tables of modes."""
+    functions_of_points(text, of)
+    _motion(text, of)
+    _guards(text, of)
+    columns = _reactions(text, of)
+    return {"REACTIONS": columns}, _tables(of)
+
+
+def _solved(text: Text, of: ContactDeclaration) -> list[str]:
+    """Lines that solve for the accelerations, and for what points bear, in a state y."""
+    n, m = text.n, len(of.contacts)
+    return [
+        f"    matrix, forces = np.empty({n * n}), np.empty({n})",
+        f"    told, share = np.empty({m * (7 + 3 * n)}), np.empty({m})",
+        f"    accelerations = np.empty({n})",
+        f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
+        "    points(y, p, told)",
+        f"    motion_in_code(mode, {n}, {m}, matrix, forces, told, accelerations, share)",
+    ]
+
+
+def _motion(text: Text, of: ContactDeclaration) -> None:
+    """Rates of all states on arrays, and accelerations of plain numbers."""
+    n = text.n
+    text.function(
+        f"rates(mode, y, p, {text.shaking}, dy)",
+        f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
+        "into dy (N,).",
+        [
+            *_solved(text, of),
+            f"    for i in range({n}):",
+            f"        dy[i], dy[{n} + i] = y[{n} + i], accelerations[i]",
+            *(f"    dy[{text.index(z.symbol)}] = {z.name}_rate" for z in of.internal),
+        ],
+    )
+    text.function(
+        f"accelerations(mode, {', '.join(text.states)}, p, {text.shaking})",
+        f"Accelerations of the coordinates under ground accelerations {text.shaking} [m/s2].",
+        [
+            f"    y, dy = np.empty({2 * n}), np.empty({2 * n})",
+            *(f"    y[{i}] = {name}" for i, name in enumerate(text.states)),
+            f"    rates(mode, y, p, {text.shaking}, dy)",
+            f"    return ({', '.join(f'dy[{n + i}]' for i in range(n))},)",
+        ],
+        "@inlined",
+    )
+    text.function(
+        f"opening_acceleration(mode, y, p, {text.shaking})",
+        "Zero: whether a gap opens is found among the candidates.",
+        ["    return 0.0"],
+        "@inlined",
+    )
+    text.function(
+        "jump(mode, guard, law, ratio, y, p, out)",
+        "The same state into out (N,), and the same mode: no guard leads to a certain one.",
+        ["    for i in range(N_STATES):", "        out[i] = y[i]", "    return mode"],
+    )
+
+
+def _guards(text: Text, of: ContactDeclaration) -> None:
+    n, m = text.n, len(of.contacts)
+    bounds = {f"g[{m + i}]": e for i, e in enumerate(of.limits.values())}
+    text.function(
+        f"guards(mode, y, p, {text.shaking}, g)",
+        "Guards of a mode into g (N_GUARDS,): all positive in it; the first to fall ends it.",
+        [
+            *_solved(text, of),
+            f"    guards_in_code(mode, {n}, {m}, told, share, g)",
+            *text.evaluate("guards", bounds, "    ", hoist=True),
+        ],
+    )
+
+
+def _reactions(text: Text, of: ContactDeclaration) -> Columns:
+    """The ground's forces along its axes, then the normal force at each point."""
+    totals = total_reaction(of.free)
+    read = [
+        f"    {text.name(c.acceleration)} = accelerations[{i}]"
+        for i, c in enumerate(of.coordinates)
+    ]
+    lines = text.evaluate("reactions", {f"out[{i}]": e for i, e in enumerate(totals)}, "    ")
+    used = "\n".join(lines)
+    first = len(totals)
+    text.function(
+        f"reactions(mode, y, p, {text.shaking}, out)",
+        "Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.",
+        [
+            *_solved(text, of),
+            *(line for line in read if line.split()[0] in used),
+            *lines,
+            f"    for i in range({len(of.contacts)}):",
+            "        bears = state_in_code(mode, i) == FRICTIONLESS",
+            f"        out[{first} + i] = share[i] if bears else 0.0",
+        ],
+    )
+    return (*(f"{way}_reaction" for way in WAYS), *(f"{c.name}_reaction" for c in of.contacts))
+
+
+def _tables(of: ContactDeclaration) -> list[str]:
+    m, limits = len(of.contacts), [*of.limits]
+    return [
+        *table("POINTS", [c.name for c in of.contacts]),
+        "ELEMENTS = ()",
+        f"N_GUARDS = {m + len(limits)}",
+        "N_PARTS = 0",
+        f"N_POINTS = {m}",
+        "N_ELEMENTS = 0",
+        *(table("BOUNDS", limits) if limits else []),
+        f"N_BOUNDS_OF_DECLARATION = {len(of.bounds)}  # behind them are tilts that overturn",
+        *(["HELD_ACROSS = True"] if of.is_held_across else []),
+        "TRANSITIONS = ()",
+        "LOCALISED = False  # whether forces may act in a small part of a step",
+        "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
+        "HAS_IMPULSIVE = False",
+        "EQUATIONS = ()",
+        "BY_CODE = True  # the number of a mode has a digit for each point",
+        "from rockeom.codes import FRICTIONLESS",
+        f"from rockeom.generated.numeric_modes import {', '.join(_SOLVER)}",
+        "from rockeom.numbers.mode_codes import tables_by_code",
+        "(",
+        f"    {', '.join(_TABLES)},",
+        f") = tables_by_code(POINTS, {len(limits)})",
+    ]

@@ -1,0 +1,100 @@
+"""Free motion and points of a structure whose contacts were declared: the same in all modes."""
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from rockeom.codegen.text import Text
+from rockeom.codes import NEVER_SLIPS
+from rockeom.symbolic.algebra import tidy
+from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.lagrange import rate
+from rockeom.symbolic.modes.balance import free_motion
+
+
+def functions_of_points(text: Text, of: ContactDeclaration) -> None:
+    """Add all of them."""
+    _free_motion(text, of)
+    _points(text, of)
+    _point_laws(text, of)
+    if of.impact_law != "newton":
+        _point_numbers(text, of)
+
+
+def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
+    """Lines of a function that is the same in every mode."""
+    in_space = len(text.model.shaking) > 2  # where it is part of every step
+    return text.evaluate(name, targets, "    ", hoist=in_space) or ["    pass"]
+
+
+def _free_motion(text: Text, of: ContactDeclaration) -> None:
+    n = text.n
+    matrix, forces = free_motion(of)
+    inertia = sp.diag(matrix, *([0] * len(of.internal)))  # internal variables have none
+    targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
+    targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
+    text.function(
+        f"free_motion(y, p, {text.shaking}, mode, matrix, forces)",
+        "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
+        text.read_switches("    ")
+        + text.evaluate("free_motion", targets, "    ", hoist=of.by_code),
+    )
+
+
+def _still(of: ContactDeclaration) -> list[sp.Expr]:
+    """A zero for the integral of each internal variable: no force, no gap knows of it."""
+    return [sp.S.Zero] * len(of.internal)
+
+
+def _points(text: Text, of: ContactDeclaration) -> None:
+    coordinates = of.coordinates
+    targets: dict[str, sp.Expr] = {}
+    still = {c.acceleration: 0 for c in coordinates}
+    size = 1 + of.axes * (2 + text.n)
+    for i, contact in enumerate(of.contacts):
+        gap, *slips = contact.at(contact.side)
+        rates = [rate(e, coordinates) for e in (gap, *slips)]
+        biases = [rate(e, coordinates).subs(still) for e in rates]
+        slopes = [
+            slope
+            for e in (gap, *slips)
+            for slope in (*(sp.diff(e, c.position) for c in coordinates), *_still(of))
+        ]
+        for j, e in enumerate([gap, *rates, *biases, *slopes]):
+            targets[f"out[{size * i + j}]"] = tidy(e)
+    text.function(
+        "points(y, p, out)",
+        f"""For each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
+
+    gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
+        _every(text, "points", targets),
+    )
+
+
+def _point_laws(text: Text, of: ContactDeclaration) -> None:
+    targets: dict[str, sp.Expr] = {}
+    for i, contact in enumerate(of.contacts):
+        friction = contact.law.friction
+        targets[f"out[{2 * i}]"] = sp.sympify(contact.law.restitution)
+        mu = sp.Float(NEVER_SLIPS) if friction is None else sp.sympify(friction)
+        targets[f"out[{2 * i + 1}]"] = mu
+    text.function(
+        "point_laws(p, out)",
+        "For each point from out[2 * i]: restitution, and coefficient of friction.",
+        _every(text, "point_laws", targets),
+    )
+
+
+def _point_numbers(text: Text, of: ContactDeclaration) -> None:
+    """The number that an impact law has of each point, besides restitution and friction."""
+    targets = {}
+    for i, contact in enumerate(of.contacts):
+        law = contact.law
+        slips = sp.S.NegativeOne if law.tangential is None else law.tangential
+        number = slips if law.law == "moreau" else law.stiffness
+        targets[f"out[{i}]"] = sp.sympify(number)
+    text.function(
+        "point_numbers(p, out)",
+        "For each point: its stiffness, or with Moreau's law e of its slip, -1: that of the gap.",
+        _every(text, "point_numbers", targets),
+    )

@@ -1,0 +1,155 @@
+"""Points that touch in space: which modes may follow, and the impulses or forces of each.
+
+Points have no friction. Of those that touch, some are idle: the others bear the load without them.
+The contract of points, as points_in_plane.py fulfils it.
+"""
+
+import numpy as np
+
+from rockeom.codes import FRICTIONLESS, IDLE_POINT, OPEN
+from rockeom.compiler.decorators import inlined, rolled
+from rockeom.generated.numeric_modes import PLACE_VALUES, share_load, touching
+from rockeom.integrator.provided import (
+    ANGLES,
+    AXES,
+    N_POINTS,
+    N_STATES,
+    STILL,
+    point_state,
+    rates,
+)
+from rockeom.integrator.tolerances import NO_TURN
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    N_COORDINATES,
+    ROWS,
+    exceeds,
+)
+
+__fused__ = False
+
+SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
+BEARS, IDLES = 1, 2  # digits of states in the number of a mode
+
+
+def is_smooth(point):
+    """Whether a point has no friction whatever the parameters are."""
+    return True
+
+
+@rolled
+def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
+    """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
+
+    The number says which points touch, all of them first. Where more bear than are independent, and
+    one of them would pull, it is idle, and the others are solved again.
+    """
+    left, mode_now = number, 0
+    for i in range(N_POINTS):
+        half = int(left * 0.5)
+        if left - 2 * half == 0:  # it touches
+            if near[i] == 0:
+                return -1
+            mode_now += BEARS * PLACE_VALUES[i]
+        left = half
+    share = np.empty(N_POINTS)
+    for _ in range(3 * N_POINTS):
+        independent, bearing = shares_in(mode_now, wanted, contact, share)
+        most, which = 0.0, -1
+        for i in range(N_POINTS):
+            idle = point_state(mode_now, i) == IDLE_POINT
+            wrong = share[i] if idle else -share[i]
+            if wrong > most and (idle or bearing > independent):
+                most, which = wrong, i
+        if which < 0:
+            break
+        changed = IDLES - BEARS if point_state(mode_now, which) == FRICTIONLESS else BEARS - IDLES
+        mode_now += changed * PLACE_VALUES[which]
+    bear(mode_now, share, impulse)
+    return mode_now
+
+
+def impulses_of(candidate, wanted, contact, impulse):
+    """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
+
+    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
+    """
+    share = np.empty(N_POINTS)
+    shares_in(candidate, wanted, contact, share)
+    bear(candidate, share, impulse)
+
+
+@inlined
+def bear(candidate, share, impulse):
+    """The impulses (ROWS,) of the points that bear."""
+    for r in range(ROWS):
+        impulse[r] = 0.0
+    for i in range(N_POINTS):
+        if point_state(candidate, i) == FRICTIONLESS:
+            impulse[AXES * i] = share[i]
+
+
+@rolled
+def shares_in(candidate, wanted, contact, share):
+    """(independent, bearing): how many points bear, and how many of these are independent.
+
+    share (N_POINTS,) : what each bears, and an idle one would.
+    """
+    a, found = np.empty(N_POINTS * (N_POINTS + 1)), np.empty(N_POINTS)
+    place = np.empty(N_POINTS, np.int64)
+    order, bearing = touching(candidate, N_POINTS, place)
+    width = order + 1
+    for i in range(bearing):
+        row = AXES * place[i]
+        for j in range(order):
+            a[i * width + j] = contact[COUPLING + row * ROWS + AXES * place[j]]
+        a[i * width + order] = wanted[row]
+    independent = share_load(bearing, order - bearing, a, found)
+    for i in range(N_POINTS):
+        share[i] = 0.0
+    for j in range(order):
+        share[place[j]] = found[j]
+    return independent, bearing
+
+
+def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
+    """The least margin by which impulses, or forces, fit; negative where they do not.
+
+    They press, and open points leave; idle ones stay, and would pull. A margin is relative to
+    sizes, see `sizes_of`. Once it is below `least_of_all` no other one is computed.
+    """
+    least, share = np.inf, np.empty(N_POINTS)
+    shares_in(candidate, wanted, contact, share)
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        state, normal = point_state(candidate, i), AXES * i
+        if state == FRICTIONLESS:
+            least = min(least, share[i] / sizes[ROWS + i])
+        else:
+            leaves = exceeds(normal, wanted, contact, impulse) / sizes[normal]
+            least = min(least, leaves if state == OPEN else -abs(leaves))
+        if state == IDLE_POINT:
+            least = min(least, -share[i] / sizes[ROWS + i])
+        if not least >= least_of_all:
+            return least
+    return least
+
+
+def held_upright(mode, y, p):
+    """Whether points are closed that keep the structure from turning."""
+    dy = np.empty(N_STATES)
+    rates(mode, y, p, *STILL, dy)
+    held = False
+    for i in range(N_POINTS):
+        held = held or point_state(mode, i) != OPEN
+    for i in range(N_COORDINATES):
+        turns = abs(y[i + N_COORDINATES]) > NO_TURN or dy[i + N_COORDINATES] != 0.0
+        held = held and not (ANGLES[i] == 1.0 and turns)
+    return held
+
+
+@inlined
+def tips_over(y, p):
+    """Whether a body falls where no forces fit: some always do without friction."""
+    return False

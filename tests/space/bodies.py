@@ -1,0 +1,98 @@
+"""Bodies on feet, as the cases of `cases.json` have them: structures, orientations and rates."""
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+import rockeom as rk
+from rockeom.symbolic import Model, Rigid, coordinate, parameter, space
+from tests.space.cases import GRAVITY
+
+PLACE = [coordinate(x, x, "m", f"place along {x}") for x in "xyz"]
+ANGLES = [
+    coordinate(symbol, name, "rad", name)
+    for symbol, name in (("psi", "yaw"), ("theta", "pitch"), ("phi", "roll"))
+]
+MASS, B, C, H, G = (
+    parameter(symbol, name, unit, words)
+    for symbol, name, unit, words in (
+        ("m", "mass", "kg", "mass"),
+        ("b", "half_width", "m", "half of the edge along x"),
+        ("c", "half_depth", "m", "half of the edge along y"),
+        ("h", "half_height", "m", "half of the height"),
+        ("g", "gravity", "m/s2", "gravity"),
+    )
+)
+FRAME = space.frame(*(c.position for c in ANGLES), origin=tuple(c.position for c in PLACE))
+CORNERS = {
+    f"{'east' if x > 0 else 'west'}_{'north' if y > 0 else 'south'}": (x, y)
+    for x in (-1, 1)
+    for y in (-1, 1)
+}
+NAMES = {f"({x:+d},{y:+d})": name for name, (x, y) in CORNERS.items()}
+"""Names of corners by those of the cases."""
+TRIPOD = {"one": (1, 1), "two": (-1, 1), "three": (0, -1)}
+
+
+@cache
+def model(name: str, corners: tuple[tuple[str, tuple[int, int]], ...], restitution=0) -> Model:
+    """A prism on smooth points, whose places are given in half edges."""
+    b, c, h = (p.symbol for p in (B, C, H))
+    feet = {foot: (x * b, y * c, -h) for foot, (x, y) in corners}
+    return Model(
+        name=name, title="Prism on smooth feet", parameters=(MASS, B, C, H, G),
+        coordinates=(*PLACE, *ANGLES), gravity=G.symbol, rotation=ANGLES[1],
+        bodies=[space.box("prism", MASS.symbol, (2 * b, 2 * c, 2 * h), FRAME)],
+        contacts=space.feet(FRAME, feet, Rigid(restitution=restitution, friction=0)),
+        falls=space.tilt(FRAME, sp.Rational(14, 10)),
+    )  # fmt: skip
+
+
+def prism(
+    given: Mapping[str, float], corners: Mapping[str, tuple[int, int]] = CORNERS, restitution=0
+):
+    """The structure of a case."""
+    declared = model(f"prism_on_{len(corners)}", tuple(corners.items()), restitution)
+    names = {"mass": "m", "half_width": "b", "half_depth": "c", "half_height": "h"}
+    values = {name: float(given[letter]) for name, letter in names.items()}
+    return rk.structure(declared, **values, gravity=GRAVITY)
+
+
+def oriented(rotation: Sequence[Sequence[float]], spin=(0, 0, 0)) -> dict[str, float]:
+    """Yaw, pitch and roll of R = Rz Ry Rx, and their rates by the angular velocity (ground)."""
+    r = np.array(rotation, float)
+    yaw, pitch = np.arctan2(r[1, 0], r[0, 0]), np.arctan2(-r[2, 0], np.hypot(r[2, 1], r[2, 2]))
+    roll = np.arctan2(r[2, 1], r[2, 2])
+    rates = np.linalg.solve(_axes(yaw, pitch), np.array(spin, float))
+    names = ("yaw", "pitch", "roll")
+    angles = dict(zip(names, map(float, (yaw, pitch, roll)), strict=True))
+    return angles | {f"{n}_dot": float(x) for n, x in zip(names, rates, strict=True)}
+
+
+def _axes(yaw: float, pitch: float) -> np.ndarray:
+    """The axes about which yaw, pitch and roll turn, as columns."""
+    about_y = [-np.sin(yaw), np.cos(yaw), 0.0]
+    about_x = [np.cos(yaw) * np.cos(pitch), np.sin(yaw) * np.cos(pitch), -np.sin(pitch)]
+    return np.array([[0.0, 0.0, 1.0], about_y, about_x]).T
+
+
+def spin(state: Mapping[str, float]) -> np.ndarray:
+    """The angular velocity along the axes of the ground."""
+    rates = [state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")]
+    return _axes(state["yaw"], state["pitch"]) @ rates
+
+
+def spin_rate(state: Mapping[str, float], accelerations: Mapping[str, float]) -> np.ndarray:
+    """The angular acceleration along the axes of the ground."""
+    step = 1e-6
+    ahead, behind = (
+        _axes(state["yaw"] + s * state["yaw_dot"], state["pitch"] + s * state["pitch_dot"])
+        for s in (step, -step)
+    )
+    rates = np.array([state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")])
+    turning = (ahead - behind) / (2 * step) @ rates
+    return turning + _axes(state["yaw"], state["pitch"]) @ [
+        accelerations[name] for name in ("yaw", "pitch", "roll")
+    ]
