@@ -17,8 +17,8 @@ from rockeom.compiler.decorators import inlined, rolled
 __fused__ = False
 
 MOST_COORDINATES = 24
-DIGITS = len(STATES_IN_SPACE)
-PLACE_VALUES = tuple(DIGITS**i for i in range(MOST_POINTS_IN_SPACE))
+STATES_OF_POINT = len(STATES_IN_SPACE)
+PLACE_VALUES = tuple(STATES_OF_POINT**i for i in range(MOST_POINTS_IN_SPACE))
 
 # Where `points` tells what of each: gap, rates of gap and slips, their biases, rows of all three
 FIRST_BIAS = 4
@@ -32,7 +32,7 @@ NONE_OF_TERMS = 1e-14  # of the terms of a sum: nothing but rounding errors
 def state_in_code(mode, point):
     """The state of a point in a mode: a digit of its number."""
     rest = int(mode / PLACE_VALUES[point])
-    return STATES_IN_SPACE[rest - DIGITS * int(rest / DIGITS)]
+    return STATES_IN_SPACE[rest - STATES_OF_POINT * int(rest / STATES_OF_POINT)]
 
 
 def touching(mode, m, place):

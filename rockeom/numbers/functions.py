@@ -8,7 +8,7 @@ for numbers, as those of the generated modules are, calculates with all of them.
 import math
 import operator
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from types import FunctionType, SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -179,12 +179,17 @@ def isfinite(x: Any) -> Any:
     return abs(x) < math.inf if isinstance(x, Compound) else math.isfinite(x)
 
 
+def _new(make: Callable[..., np.ndarray], n: int, kind: type = object) -> np.ndarray:
+    """An array in which compounds, or whole numbers, stand."""
+    return make(n, dtype=kind)
+
+
 @cache
 def of_compounds(module: Any) -> Any:
     """The functions of a generated module, which take compounds; arrays hold objects."""
     names = vars(module) | {
         "math": mathematics,
-        "np": SimpleNamespace(empty=lambda n: np.empty(n, dtype=object)),
+        "np": SimpleNamespace(empty=partial(_new, np.empty), zeros=partial(_new, np.zeros), int64=int),
     }
     for name, function in vars(module).items():
         if isinstance(function, FunctionType):

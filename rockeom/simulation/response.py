@@ -211,11 +211,15 @@ class Response:
     def overturned(self) -> str:
         """Name of the coordinate that has fallen, such as the rotation; empty if none has.
 
+        That of the tilt, of a body in space that has overturned by it.
         The one nearest to its overturning angle, where the motion was followed to the end of its
         duration and falls afterwards.
         """
         if self.outcome is not Outcome.OVERTURNED:
             return ""
+        last = self.events[-1:]
+        if last and last[0].kind == "bound":
+            return last[0].contact
         final = self.final
         parts = {name: abs(final[name]) / size for name, size in self.structure.falls.items()}
         return max(parts, key=lambda name: parts[name])
@@ -471,9 +475,11 @@ class Response:
             return f" The bound is {self.events[-1].contact!r}."
         if fall_is_judged(self):
             return " It is judged to fall: no mode fits any more, and a body turns on outward."
-        if not self.overturned or len(self.structure.falls) == 1:
+        name, falls = self.overturned, self.structure.falls
+        if name and name not in falls:
+            return f" Its {name} reached that at which it has overturned."
+        if not name or len(falls) == 1:
             return ""
-        name = self.overturned
         unit = m.STATE_UNITS[self.states.index(name)]
         return f" {name} is {self.final[name]:.4g} {unit}."
 
@@ -689,5 +695,7 @@ def fall_is_judged(run: Response) -> bool:
     its weight turns it back.
     """
     if not (name := run.overturned) or run.t[-1] >= run.duration:
+        return False
+    if name not in run.structure.falls:  # a tilt
         return False
     return abs(run.final[name]) < (1.0 - 1e-6) * run.structure.falls[name]

@@ -205,7 +205,7 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "structure": encode("structure", made["structure"]),
         "source_hash": module.SOURCE_HASH,
         "states": module.STATES,
-        "modes": module.MODES,
+        "modes": [*module.MODES],
         "impact": _encode_law(made["impact"]),
         "options": encode("options", made["options"]),
         "outcome": str(made["outcome"]),

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.codes import REST
-from rockeom.integrator.schema import GeneratedModule, has_landings
+from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
@@ -173,7 +173,7 @@ class Works:
         powers = filled(module, p, "powers", 3, mode, y, *ground)
         lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
-        if has_landings(module):
+        if has_landings(module) and not is_by_code(module):  # points in space have no friction
             rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
             size = len(module.KINEMATICS)
             slips = jets(module, p, "kinematics", size, mode, y, rates)[1]

@@ -936,6 +936,10 @@ class Structure(metaclass=explained.Constructors):
         ValueError
             Where there is no equilibrium.
         """
+        if in_space(self.module):
+            raise InputError("structure", of=self.model).says(
+                "it moves in space, and a pushover in the plane: simulate it"
+            )
         return modes_of(self.module).equilibrium(self.module, self.vector, rotation)
 
     def pushover(self, rotations) -> np.ndarray:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.codes import UPLIFT
-from rockeom.integrator.schema import GeneratedModule, still_ground
+from rockeom.integrator.schema import GeneratedModule, is_by_code, still_ground
 from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
@@ -157,7 +157,11 @@ def number_of(module: GeneratedModule, mode: Any) -> int:
     if not isinstance(mode, str):
         raise InputTypeError("mode", mode).choose(module.MODES)
     if mode not in module.MODES:
-        raise InputError("mode", mode, module.NAME).choose(module.MODES)
+        error = InputError("mode", mode, module.NAME)
+        if is_by_code(module):
+            touching = "_".join(getattr(module, "POINTS", ())[:2])
+            raise error.give(f"the names of the points that touch, such as {touching!r}")
+        raise error.choose(module.MODES)
     return module.MODES.index(mode)
 
 

@@ -5,6 +5,7 @@ the modes is that of the loop, `rockeom/integrator/transitions/candidates.py`. T
 `rockeom.structures.modes` lists are those of `rockeom.structures.declared_modes`, too.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
@@ -350,7 +351,12 @@ def check_bounds(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
     others = len(module.POINTS) + len(module.ELEMENTS)
     for i, kind in enumerate(module.KINDS[mode]):
         if kind == codes.BOUND and not guards[i] > 0.0:
-            name = getattr(module, "BOUNDS", ())[module.SUBJECTS[mode][i] - others]
+            place = module.SUBJECTS[mode][i] - others
+            name = getattr(module, "BOUNDS", ())[place]
+            if place >= getattr(module, "N_BOUNDS_OF_DECLARATION", math.inf):
+                raise InputError("initial", of=module.NAME).says(
+                    f"it has overturned in this state, by its {name}: give one in which it stands"
+                )
             raise InputError("initial", of=module.NAME).says(
                 f"the bound {name!r} is {guards[i]:g} in this state: give one in which it is above "
                 "zero"

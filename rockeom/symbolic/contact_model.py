@@ -225,6 +225,12 @@ class Model(Declared, ContactDeclaration):
                 f"{', '.join(self.hybrid.mode_names)}: see `model.reduced`, such as "
                 '`model.reduced.equations("right")`'
             )
+        if search.of.by_code:
+            raise ValueError(
+                f"{self.name}: its modes are solved as numbers, by `rockeom.structure(model, ...)`: "
+                "see `model.free.equations`, to which each contact adds its force times the slopes "
+                "of its gap"
+            )
         return search.modes
 
     def mode(self, name: str) -> DerivedMode:

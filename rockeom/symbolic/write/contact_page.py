@@ -23,6 +23,8 @@ from rockeom.symbolic.write.symbols import energies, listed
 def signs_of_search(search: Search) -> list[tuple[sp.Symbol, str]]:
     """The side, signs of slips and states of elements that equations contain, with meanings."""
     signs: list[tuple[sp.Symbol, str]] = []
+    if search.of.by_code:
+        return signs
     if any(m.sided for m in search.modes.derived):
         signs.append((SIDE, "side: $+1$ right, $-1$ left"))
     slips = max(len(m.slipping) for m in search.modes.derived)
@@ -38,7 +40,9 @@ def contact_sections(model: HybridModel, search: Search) -> list[Block]:
     of = search.of
     notation = Notation(of.free, model)
     blocks = [*_declared(of, notation), *_internal(of, notation)]
-    blocks += [] if _is_short(of) else _free_equations(of, notation)
+    if of.by_code:
+        return [*blocks, *_free_equations(of, notation, _IN_SPACE)]
+    blocks += [] if _is_short(of) else _free_equations(of, notation, _IN_PLANE)
     for mode in search.modes.derived:
         blocks += _mode(search, mode, notation)
     return blocks
@@ -52,29 +56,48 @@ def _is_short(of: ContactDeclaration) -> bool:
     return len(of.coordinates) <= 3
 
 
-def _free_equations(of: ContactDeclaration, notation: Notation) -> list[Block]:
+_IN_PLANE = (
+    "With the normal force $N$ and the friction $F$, positive to the right, at each point:",
+    "Over an impact the rates jump and the impulses $P$ of these forces act: the same terms "
+    "of accelerations, with the changes of the rates in place of the accelerations, are equal "
+    "to the same terms of $N$ and $F$, with $P_N$ and $P_F$ in place of them. Each closing gap "
+    "then opens at the rate $e_n$ times that at which it closed. A mode below follows "
+    "where no force or impulse pulls, and friction is within its bound.",
+)
+_IN_SPACE = (
+    "With the normal force $N$ at each point, which has no friction:",
+    "In a mode some points touch, whose gaps stay zero, $\\ddot d = 0$, and the forces $N$ of all "
+    "others are zero. These are linear equations, solved as numbers in each mode. More than three "
+    "points of a rigid body share the load as equal springs under it: their forces are linear in "
+    "the place of a point, and one that would pull is idle.",
+    "Over an impact the rates jump by the impulses of the same forces. Each closing gap then opens "
+    "at the rate $e_n$ times that at which it closed.",
+)
+"""Words around the equations of the free structure with the forces at all points."""
+
+
+def _free_equations(
+    of: ContactDeclaration, notation: Notation, words: tuple[str, ...]
+) -> list[Block]:
     """M q'' = f + J_N^T N + J_T^T F with the forces at all points."""
     coordinates = of.coordinates
     matrix, forces = free_motion(of)
-    forced = {c.name: (_force("N", [c.name]), _force("F", [c.name])) for c in of.contacts}
+    letters = "N" if of.by_code else "NF"
+    forced = {c.name: [_force(letter, [c.name]) for letter in letters] for c in of.contacts}
     lines = []
     for k, c in enumerate(coordinates):
         row = {a.acceleration: matrix[k, j] for j, a in enumerate(coordinates)}
         pushes = []
         for contact in of.contacts:
-            for name, e in zip(forced[contact.name], contact.at(contact.side), strict=True):
+            for name, e in zip(forced[contact.name], contact.at(contact.side), strict=False):
                 arm = tidy(sp.diff(e, c.position))
                 pushes += [notation.write(arm * sp.Symbol(name))] if arm != 0 else []
         lines.append(_equation(row, forces[k], of, notation, pushes))
     return [
         Heading(2, "Equations of motion"),
-        "With the normal force $N$ and the friction $F$, positive to the right, at each point:",
+        words[0],
         Display.of_parts(lines),
-        "Over an impact the rates jump and the impulses $P$ of these forces act: the same terms "
-        "of accelerations, with the changes of the rates in place of the accelerations, are equal "
-        "to the same terms of $N$ and $F$, with $P_N$ and $P_F$ in place of them. Each closing gap "
-        "then opens at the rate $e_n$ times that at which it closed. A mode below follows "
-        "where no force or impulse pulls, and friction is within its bound.",
+        *words[1:],
     ]
 
 
@@ -118,7 +141,7 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
     """Contacts with their laws, and the energies of the free structure."""
     blocks: list[Block] = [Heading(2, "Contacts")] if of.contacts or of.switching else []
     for contact in of.contacts:
-        gap, slip = contact.at(contact.side)
+        gap, *slips = contact.at(contact.side)
         friction = contact.law.friction
         law = (
             f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
@@ -129,8 +152,11 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
             law += ", no friction"
         else:
             law += f", friction ${notation.plain(friction)}$"
-        lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
-        blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
+        along = "u" if len(slips) == 1 else "u, v"
+        lines = [f"d = {notation.write(gap)}"]
+        lines += [f"{u} = {notation.write(e)}" for u, e in zip(along[::3], slips, strict=True)]
+        words = f"{law}; its gap $d$ and its place ${along}$ along the contact are"
+        blocks += [words, Display(tuple(lines))]
     if of.contacts and of.impact_law != "newton":
         blocks.append(f"Points that touch meet by {_LAWS[of.impact_law]}.")
     for element in of.switching:
