@@ -44,6 +44,7 @@ def _solved(text: Text, of: ContactDeclaration) -> list[str]:
 def _motion(text: Text, of: ContactDeclaration) -> None:
     """Rates of all states on arrays, and accelerations of plain numbers."""
     n = text.n
+    internal = {f"dy[{text.index(z.symbol)}]": e for z, e in of.internal.items()}
     text.function(
         f"rates(mode, y, p, {text.shaking}, dy)",
         f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
@@ -52,7 +53,7 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
             *_solved(text, of),
             f"    for i in range({n}):",
             f"        dy[i], dy[{n} + i] = y[{n} + i], accelerations[i]",
-            *(f"    dy[{text.index(z.symbol)}] = {z.name}_rate" for z in of.internal),
+            *text.evaluate("rates", internal, "    "),
         ],
     )
     text.function(

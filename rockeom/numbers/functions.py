@@ -184,12 +184,16 @@ def _new(make: Callable[..., np.ndarray], n: int, kind: type = object) -> np.nda
     return make(n, dtype=kind)
 
 
+_ARRAYS = SimpleNamespace(empty=partial(_new, np.empty), zeros=partial(_new, np.zeros), int64=int)
+"""What generated modules use of NumPy."""
+
+
 @cache
 def of_compounds(module: Any) -> Any:
     """The functions of a generated module, which take compounds; arrays hold objects."""
     names = vars(module) | {
         "math": mathematics,
-        "np": SimpleNamespace(empty=partial(_new, np.empty), zeros=partial(_new, np.zeros), int64=int),
+        "np": _ARRAYS,
     }
     for name, function in vars(module).items():
         if isinstance(function, FunctionType):

@@ -9,8 +9,22 @@ from typing import ClassVar, NamedTuple, overload
 
 import numpy as np
 
-from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
-from rockeom.integrator.schema import ground_axes, has_landings
+from rockeom.codes import (
+    ENERGY_ROUNDING,
+    IDLE_POINT,
+    IMPACT,
+    KIND_OF,
+    LANDING,
+    LIFTING,
+    REST,
+)
+from rockeom.integrator.schema import (
+    GeneratedModule,
+    ground_axes,
+    has_landings,
+    has_points,
+    is_by_code,
+)
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, described
 from rockeom.structures.base import Structure
@@ -24,6 +38,9 @@ KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 
 BREAK = "break"
 """Word for the switch in which a tie breaks."""
+
+IDLE, BEARS_AGAIN = "idle", "bears again"
+"""Words for a point in space that ceases to bear while others keep it closed, and its return."""
 
 MEASURABLE = 1e-3
 """Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -40,7 +57,8 @@ class Event:
     kind : str
         "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
         infinitely many impacts); "break" of a tie. Where contacts may open and slide: "landing",
-        "lifting", "slip begins", "slip ends". "bound", where a declaration holds no further.
+        "lifting", "slip begins", "slip ends"; in space "idle" and "bears again". "bound", where a
+        declaration holds no further, or a body in space has overturned by its tilt.
     mode_before : str
         Name of the mode before.
     mode_after : str
@@ -149,14 +167,14 @@ class Events(Sequence[Event]):
                 float(time),
                 BREAK
                 if contact in ties and pair[1, ties[contact]] > pair[0, ties[contact]]
-                else KINDS[kind],
+                else _word(module, kind, before, after, guard),
                 module.MODES[before],
                 module.MODES[after],
                 dict(zip(states, pair[0].tolist(), strict=True)),
                 dict(zip(states, pair[1].tolist(), strict=True)),
                 contact,
             )
-            for time, (kind, before, after, _), pair, contact in rows
+            for time, (kind, before, after, guard), pair, contact in rows
         )
 
     @property
@@ -174,6 +192,17 @@ class Events(Sequence[Event]):
     def impacts(self) -> Impacts:
         """The impacts; of contacts that may open and slide each landing is one."""
         return Impacts(self.structure, self.columns.of(IMPACT, LANDING))
+
+
+def _word(module: GeneratedModule, kind: int, before: int, after: int, guard: int) -> str:
+    """Word of an event; a point whose force falls to zero may become idle, and bear again."""
+    if kind == LIFTING and is_by_code(module) and has_points(module):
+        point = module.SUBJECTS[before][guard]
+        if module.POINT_STATES[after][point] == IDLE_POINT:
+            return IDLE
+        if module.POINT_STATES[before][point] == IDLE_POINT:
+            return BEARS_AGAIN
+    return KINDS[kind]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -330,7 +330,7 @@ def demands_of_landings(
     n = module.N_STATES // 2
     _, kinds, landings = events.of(LANDING)
     largest = [0.0] * len(groups)
-    if not (groups and len(landings)):
+    if not (groups and has_landings(module) and len(landings)):
         return largest
     points = Points(module, landings[:, 0], p)
     # besides where the motion goes: at a landing all coordinates may be none, but for rounding

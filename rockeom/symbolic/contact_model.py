@@ -14,7 +14,7 @@ from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
 from rockeom.symbolic.hybrid import HybridModel, Search
-from rockeom.symbolic.model import Outline, Tilt
+from rockeom.symbolic.model import Outline
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.every import Modes
 from rockeom.symbolic.parts import mechanics
@@ -207,7 +207,7 @@ class Model(Declared, ContactDeclaration):
             self.overturning,
             reference=self.reference,
             members=self.members,
-            falls={c: size for c, size in self.falls.items() if not isinstance(c, Tilt)},
+            falls=self.falling_coordinates,
             search=Search(self),
         )
 
@@ -227,8 +227,8 @@ class Model(Declared, ContactDeclaration):
             )
         if search.of.by_code:
             raise ValueError(
-                f"{self.name}: its modes are solved as numbers, by `rockeom.structure(model, ...)`: "
-                "see `model.free.equations`, to which each contact adds its force times the slopes "
+                f"{self.name}: its modes are solved as numbers, in `rockeom.structure(...)`: see "
+                "`model.free.equations`, to which each contact adds its force times the slopes "
                 "of its gap"
             )
         return search.modes

@@ -393,6 +393,11 @@ class ContactDeclaration:
         return bool(self.contacts) and self.axes == 3
 
     @property
+    def falling_coordinates(self) -> dict[Coordinate, sp.Expr]:
+        """Those of `falls` that are no tilts, each with the size at which it has overturned."""
+        return {c: size for c, size in self.falls.items() if not isinstance(c, Tilt)}
+
+    @property
     def limits(self) -> dict[str, sp.Expr]:
         """Functions that are positive until a motion ends: `bounds`, and behind them tilts."""
         tilts = {t.name: t.cosine - sp.cos(e) for t, e in self.falls.items() if isinstance(t, Tilt)}

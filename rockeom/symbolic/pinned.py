@@ -79,7 +79,7 @@ def reduced(model: ContactDeclaration) -> RockingModel:
         overturning=model.overturning,
         reference=model.reference,
         members=model.members,
-        falls=model.falls,
+        falls=model.falling_coordinates,
     )
 
 

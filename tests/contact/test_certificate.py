@@ -10,8 +10,9 @@ from tests.machine_code import plain_texts
 
 N = 2
 TEXT = plain_texts(
-    "transitions.modes_by_table", "transitions.landings", N_STATES=2, N_STAGES=1, N_POINTS=1, N_GUARDS=N, N_PARTS=0,
-    GUARDS=(1, 2), KINDS=((LANDING, LANDING), (LANDING, LIFTING)), SIDES=(0.0, 0.0),
+    "transitions.modes_by_table", "transitions.landings", N_STATES=2, N_STAGES=1,
+    N_POINTS=1, N_GUARDS=N, N_PARTS=0, GUARDS=(1, 2),
+    KINDS=((LANDING, LANDING), (LANDING, LIFTING)), SIDES=(0.0, 0.0),
 )  # fmt: skip
 
 

@@ -96,3 +96,16 @@ def spin_rate(state: Mapping[str, float], accelerations: Mapping[str, float]) ->
     return turning + _axes(state["yaw"], state["pitch"]) @ [
         accelerations[name] for name in ("yaw", "pitch", "roll")
     ]
+
+
+def on_feet(feet: Mapping[str, Sequence[float]], elements=(), restitution=0, **more):
+    """A body of 2 kg whose tensor is the same about all axes, on smooth feet in its frame."""
+    body = space.body("body", MASS.symbol, MASS.symbol * sp.eye(3) / 2, FRAME)
+    places = {name: tuple(map(sp.Float, place)) for name, place in feet.items()}
+    declared = Model(
+        name="body_on_feet", title="Body on smooth feet", parameters=(MASS, G),
+        coordinates=(*PLACE, *ANGLES), gravity=G.symbol, rotation=ANGLES[1], bodies=[body],
+        contacts=space.feet(FRAME, places, Rigid(restitution=restitution, friction=0)),
+        elements=elements, falls=space.tilt(FRAME, sp.Rational(14, 10)), **more,
+    )  # fmt: skip
+    return rk.structure(declared, mass=2.0, gravity=GRAVITY)

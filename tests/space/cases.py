@@ -40,7 +40,7 @@ class Case:
         return np.array(value, float) if isinstance(value, list) else float(value)
 
     def agrees(self, **values: Any) -> None:
-        """Assert that values are those expected, relative to the largest number of a vector, if any."""
+        """Assert that values are those expected, relative to the largest number of a vector."""
         for name, value in values.items():
             right = self.right(name)
             assert np.shape(value) == np.shape(right)

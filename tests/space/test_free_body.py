@@ -126,7 +126,7 @@ REFUSED = {
             stone(),
             contacts=[Contact("tip", PLACE[2].position, PLACE[0].position, Rigid(restitution=0))],
         ),
-        "its bodies move in space, and its contacts in the plane",
+        "its bodies move in space, and contact 'tip' in the plane",
     ),
 }  # fmt: skip
 

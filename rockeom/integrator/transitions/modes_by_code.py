@@ -10,7 +10,7 @@ from rockeom.generated.numeric_modes import state_in_code
 from rockeom.integrator.provided import N_BOUNDS_OF_DECLARATION, N_GUARDS, N_POINTS
 
 N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
-N_CANDIDATES = 2**N_POINTS  # sets of points that touch
+N_CANDIDATES = 2 * 2**N_POINTS  # sets of points that touch, and whether some are idle
 
 
 @inlined

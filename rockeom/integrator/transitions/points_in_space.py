@@ -18,7 +18,7 @@ from rockeom.integrator.provided import (
     point_state,
     rates,
 )
-from rockeom.integrator.tolerances import NO_TURN
+from rockeom.integrator.tolerances import NEARLY, NO_TURN
 from rockeom.integrator.transitions.points import (
     COUPLING,
     N_COORDINATES,
@@ -41,32 +41,60 @@ def is_smooth(point):
 def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
 
-    The number says which points touch, all of them first. Where more bear than are independent, and
-    one of them would pull, it is idle, and the others are solved again.
+    The number says whether points that would bear nothing are idle, and which points touch: all of
+    them first, since of modes that move alike the one that keeps more points closed follows. Where
+    more bear than are independent, and one of them would pull, it is idle, and the others are
+    solved again.
     """
-    left, mode_now = number, 0
+    left, candidate = int(number * 0.5), 0
+    unloaded = number - 2 * left == 1
     for i in range(N_POINTS):
         half = int(left * 0.5)
         if left - 2 * half == 0:  # it touches
             if near[i] == 0:
                 return -1
-            mode_now += BEARS * PLACE_VALUES[i]
+            candidate += BEARS * PLACE_VALUES[i]
         left = half
     share = np.empty(N_POINTS)
     for _ in range(3 * N_POINTS):
-        independent, bearing = shares_in(mode_now, wanted, contact, share)
-        most, which = 0.0, -1
-        for i in range(N_POINTS):
-            idle = point_state(mode_now, i) == IDLE_POINT
-            wrong = share[i] if idle else -share[i]
-            if wrong > most and (idle or bearing > independent):
-                most, which = wrong, i
-        if which < 0:
-            break
-        changed = IDLES - BEARS if point_state(mode_now, which) == FRICTIONLESS else BEARS - IDLES
-        mode_now += changed * PLACE_VALUES[which]
-    bear(mode_now, share, impulse)
-    return mode_now
+        which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
+        if which >= 0:
+            candidate += changed_digit(candidate, which)
+    if unloaded:
+        which = wrongly_loaded(candidate, NEARLY, wanted, contact, share)
+        if which < 0 or point_state(candidate, which) == IDLE_POINT:
+            return -1
+        candidate += changed_digit(candidate, which)
+    shares_in(candidate, wanted, contact, share)
+    bear(candidate, share, impulse)
+    return candidate
+
+
+def wrongly_loaded(candidate, tolerance, wanted, contact, share):
+    """A point that would pull and may be idle, or that is idle and would bear; or -1.
+
+    The one of which that is most so, a force below `tolerance` of the largest being none. share
+    (N_POINTS,) : of `shares_in`.
+    """
+    independent, bearing = shares_in(candidate, wanted, contact, share)
+    largest = 0.0
+    for i in range(N_POINTS):
+        largest = max(largest, abs(share[i]))
+    most, which = NEARLY * largest, -1
+    for i in range(N_POINTS):
+        idle = point_state(candidate, i) == IDLE_POINT
+        touches = idle or (point_state(candidate, i) == FRICTIONLESS and bearing > independent)
+        wrong = (share[i] if idle else 2.0 * tolerance * largest - share[i]) if touches else 0.0
+        if wrong > most:
+            most, which = wrong, i
+    return which
+
+
+@inlined
+def changed_digit(mode, point):
+    """What the number of a mode gains where a point that bears is idle, or the other way."""
+    change = IDLES - BEARS if point_state(mode, point) == FRICTIONLESS else BEARS - IDLES
+    return change * PLACE_VALUES[point]
 
 
 def impulses_of(candidate, wanted, contact, impulse):

@@ -19,12 +19,14 @@ from rockeom.symbolic.checks.common import (
 )
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
 from rockeom.symbolic.elements import Damper, Pulse, Spring, Tie, Unilateral, Yielding
-from rockeom.symbolic.model import Body, Coordinate, InternalVariable
+from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Tilt
 
 
 def check_items(of: ContactDeclaration) -> None:
     """The lists of a declaration hold what belongs there."""
     with naming(of.name):
+        if not isinstance(of.falls, Mapping):
+            raise ModelError(f"falls is {of.falls!r}: give a mapping, {{coordinate: size}}")
         _are(of, "bodies", Body)
         _are(of, "contacts", Contact)
         _are(of, "elements", Spring, Damper, Pulse, Tie, Unilateral, Yielding)
@@ -98,6 +100,7 @@ def check_contacts(of: ContactDeclaration) -> None:
             "nothing touches: declare `contacts`, or `elements` that press, or by `bounds` where "
             "the coordinates alone keep the bodies on what carries them"
         )
+    _tilts(of)
     if of.contacts:
         _are_in_space(of) if axes == {3} else _are_in_plane(of)
     for contact in of.contacts:
@@ -119,6 +122,20 @@ def check_places(of: ContactDeclaration) -> None:
     for contact in of.contacts if of.axes == 2 else ():
         for body in of.bodies:
             _turns_with(of, contact, body)
+
+
+def _tilts(of: ContactDeclaration) -> None:
+    """A body overturns by its tilt below a quarter turn, at which its angles are singular."""
+    for tilt, size in of.falls.items():
+        if not isinstance(tilt, Tilt):
+            continue
+        if not of.by_code:
+            raise ModelError(f"falls: {tilt.name!r} is a tilt, and it has no contacts in space")
+        angle = sp.sympify(size)
+        if angle.is_nonpositive or (sp.pi / 2 - angle).is_nonpositive:
+            raise ModelError(
+                f"falls: the size of {tilt.name!r} is {size}: give an angle between 0 and pi/2"
+            )
 
 
 def _are_in_plane(of: ContactDeclaration) -> None:
