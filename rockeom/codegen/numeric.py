@@ -1,6 +1,6 @@
 """The functions of a structure whose modes are numbers only: motion, guards and forces.
 
-What is written of it is the free motion and the points. A mode's forces are solved for by
+The module holds the free motion and the points. The forces of a mode are solved for by
 `rockeom.generated.numeric_modes`, from which the module imports.
 """
 

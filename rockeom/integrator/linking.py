@@ -95,7 +95,7 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
 def texts_of_modes(
     generated: GeneratedModule, read: Callable[[str], Text] = module_text
 ) -> list[Text]:
-    """What the number of a mode says, what points may do, and how many axes the ground has."""
+    """The texts by which modes have numbers and points touch, and the axes of the ground."""
     names = ["modes_by_table", *(["points_in_plane"] if _has_points_that_open(generated) else [])]
     if is_by_code(generated):
         names = ["modes_by_code", "points_in_space"]

@@ -185,7 +185,7 @@ def _new(make: Callable[..., np.ndarray], n: int, kind: type = object) -> np.nda
 
 
 _ARRAYS = SimpleNamespace(empty=partial(_new, np.empty), zeros=partial(_new, np.zeros), int64=int)
-"""What generated modules use of NumPy."""
+"""Functions of NumPy that generated modules use."""
 
 
 @cache

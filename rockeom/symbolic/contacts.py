@@ -394,7 +394,7 @@ class ContactDeclaration:
 
     @property
     def falling_coordinates(self) -> dict[Coordinate, sp.Expr]:
-        """Those of `falls` that are no tilts, each with the size at which it has overturned."""
+        """Coordinates of `falls`, each with the size at which it has overturned."""
         return {c: size for c, size in self.falls.items() if not isinstance(c, Tilt)}
 
     @property

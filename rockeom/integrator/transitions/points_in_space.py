@@ -1,6 +1,6 @@
 """Points that touch in space: which modes may follow, and the impulses or forces of each.
 
-Points have no friction. Of those that touch, some are idle: the others bear the load without them.
+Points have no friction. Some that touch may be idle: the others bear the load without them.
 The contract of points, as points_in_plane.py fulfils it.
 """
 

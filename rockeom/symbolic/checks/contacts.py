@@ -165,8 +165,8 @@ def _are_in_space(of: ContactDeclaration) -> None:
             raise ModelError(f"{what} has friction, which no point in space has: give friction=0")
     if of.switching:
         raise ModelError(
-            f"element {of.switching[0].name!r} switches, which beside contacts in space none does: "
-            "declare a Spring"
+            f"element {of.switching[0].name!r} switches, and a structure with contacts in space "
+            "has springs alone: declare a Spring"
         )
     if len(of.contacts) > (most := MOST_POINTS_IN_SPACE):
         raise ModelError(f"it has {len(of.contacts)} contacts: declare at most {most} in space")
