@@ -49,8 +49,12 @@ STEPPED_OVER = -2
 # (one that is closed without friction slips or not, as the rest of the structure moves it; an idle
 # one touches and bears nothing, since others bear the load without it)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS, IDLE_POINT = range(6)
-STATES_IN_SPACE = OPEN, FRICTIONLESS, IDLE_POINT
-"""States of a point by the digit that it has in the number of a mode of a structure in space."""
+DIGITS_OF_STATES = _, BEARS, IDLES, RELEASED = range(4)
+"""Digits of a point in the number of a mode of a structure in space: 0 where it is open.
+
+It bears, sticking unless it is smooth; it is idle; or it is released, since it would have to slip
+and never does, and bears without friction.
+"""
 MOST_POINTS_IN_SPACE = 8
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 

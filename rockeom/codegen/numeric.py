@@ -11,7 +11,7 @@ from rockeom.codegen.text import Text
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.reactions import total_reaction
 
-_SOLVER = ("guards_in_code", "motion_in_code", "state_in_code")
+_SOLVER = ("digit_of", "guards_in_code", "motion_in_code")
 _TABLES = (
     "MODES", "POINT_STATES", "KINDS", "SUBJECTS", "SHARED", "GUARDS", "ELEMENT_STATES", "SIDES",
     "TARGETS", "REVERSE", "PARTS",
@@ -33,11 +33,11 @@ def _solved(text: Text, of: ContactDeclaration) -> list[str]:
     n, m = text.n, len(of.contacts)
     return [
         f"    matrix, forces = np.empty({n * n}), np.empty({n})",
-        f"    told, share = np.empty({m * (7 + 3 * n)}), np.empty({m})",
+        f"    told, share = np.empty({m * (7 + 3 * n)}), np.empty({3 * m})",
         f"    accelerations = np.empty({n})",
         f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
         "    points(y, p, told)",
-        f"    motion_in_code(mode, {n}, {m}, matrix, forces, told, accelerations, share)",
+        f"    motion_in_code(mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share)",
     ]
 
 
@@ -103,7 +103,7 @@ def _reactions(text: Text, of: ContactDeclaration) -> Columns:
     ]
     lines = text.evaluate("reactions", {f"out[{i}]": e for i, e in enumerate(totals)}, "    ")
     used = "\n".join(lines)
-    first = len(totals)
+    first, m = len(totals), len(of.contacts)
     text.function(
         f"reactions(mode, y, p, {text.shaking}, out)",
         "Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.",
@@ -111,16 +111,20 @@ def _reactions(text: Text, of: ContactDeclaration) -> Columns:
             *_solved(text, of),
             *(line for line in read if line.split()[0] in used),
             *lines,
-            f"    for i in range({len(of.contacts)}):",
-            "        bears = state_in_code(mode, i) == FRICTIONLESS",
-            f"        out[{first} + i] = share[i] if bears else 0.0",
+            f"    for i in range({m}):",
+            "        bears = digit_of(mode, i) != IDLES",
+            f"        out[{first} + i] = share[3 * i] if bears else 0.0",
+            f"        out[{first + m} + 2 * i] = share[3 * i + 1]",
+            f"        out[{first + m} + 2 * i + 1] = share[3 * i + 2]",
         ],
     )
-    return (*(f"{way}_reaction" for way in WAYS), *(f"{c.name}_reaction" for c in of.contacts))
+    totals = [f"{way}_reaction" for way in WAYS] + [f"{c.name}_reaction" for c in of.contacts]
+    return (*totals, *(f"{c.name}_friction_{axis}" for c in of.contacts for axis in "xy"))
 
 
 def _tables(of: ContactDeclaration) -> list[str]:
     m, limits = len(of.contacts), [*of.limits]
+    smooth = sum(2**i for i, c in enumerate(of.contacts) if c.law.frictionless)
     return [
         *table("POINTS", [c.name for c in of.contacts]),
         "ELEMENTS = ()",
@@ -136,11 +140,12 @@ def _tables(of: ContactDeclaration) -> list[str]:
         "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
         "HAS_IMPULSIVE = False",
         "EQUATIONS = ()",
+        f"SMOOTH = {smooth}  # with a binary digit 1 for each point without friction",
         "BY_CODE = True  # the number of a mode has a digit for each point",
-        "from rockeom.codes import FRICTIONLESS",
+        "from rockeom.codes import IDLES",
         f"from rockeom.generated.numeric_modes import {', '.join(_SOLVER)}",
         "from rockeom.numbers.mode_codes import tables_by_code",
         "(",
         f"    {', '.join(_TABLES)},",
-        f") = tables_by_code(POINTS, {len(limits)})",
+        f") = tables_by_code(POINTS, SMOOTH, {len(limits)})",
     ]

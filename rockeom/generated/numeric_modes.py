@@ -1,51 +1,73 @@
 """Modes whose number is a code of digits, one for the state of each point: forces, solved for.
 
-A structure in space has one set of equations and one row for each direction of each point:
+A structure in space has one set of equations, and rows for the three directions of each point:
 
-    M q'' = f + J' lambda        J q'' + bias = 0 of what the points hold
+    M q'' = f + J' lambda        J q'' + bias = 0 in the directions that the points hold
 
 In a mode these are solved as numbers. A part of each generated module that imports from it, as the
-prelude is; functions take the number n of coordinates and m of points, and leave what they find in
-arrays of their caller.
+prelude is; functions take the number n of coordinates and m of points, `smooth`, which has a binary
+digit 1 for each point without friction, and leave what they find in arrays of their caller.
 """
 
 import numpy as np
 
-from rockeom.codes import FRICTIONLESS, IDLE_POINT, MOST_POINTS_IN_SPACE, OPEN, STATES_IN_SPACE
+from rockeom.codes import BEARS, DIGITS_OF_STATES, IDLES, MOST_POINTS_IN_SPACE, OPEN
 from rockeom.compiler.decorators import inlined, rolled
 
 __fused__ = False
 
 MOST_COORDINATES = 24
-STATES_OF_POINT = len(STATES_IN_SPACE)
+MOST_ROWS = 3 * MOST_POINTS_IN_SPACE
+STATES_OF_POINT = len(DIGITS_OF_STATES)
+POWERS_OF_TWO = tuple(2**i for i in range(MOST_POINTS_IN_SPACE))
 PLACE_VALUES = tuple(STATES_OF_POINT**i for i in range(MOST_POINTS_IN_SPACE))
 
 # Where `points` tells what of each: gap, rates of gap and slips, their biases, rows of all three
 FIRST_BIAS = 4
 FIRST_LEVER = 7
 
+MASSLESS_IN_SPACE = 1e-13  # of an entry of M: a pivot below it is none, see points.py
 REDUNDANT = 1e-12  # of the largest pivot: a row that others give, but for rounding
 NONE_OF_TERMS = 1e-14  # of the terms of a sum: nothing but rounding errors
 
 
 @inlined
-def state_in_code(mode, point):
-    """The state of a point in a mode: a digit of its number."""
+def digit_of(mode, point):
+    """The digit of a point in the number of a mode."""
     rest = int(mode / PLACE_VALUES[point])
-    return STATES_IN_SPACE[rest - STATES_OF_POINT * int(rest / STATES_OF_POINT)]
+    return rest - STATES_OF_POINT * int(rest / STATES_OF_POINT)
 
 
-def touching(mode, m, place):
-    """(all, bearing): how many points touch, and bear; those that bear come first in place (m,)."""
-    number = bearing = 0
-    for turn in range(2):
-        for i in range(m):
-            if state_in_code(mode, i) == (FRICTIONLESS if turn == 0 else IDLE_POINT):
-                place[number] = i
-                number += 1
-        if turn == 0:
-            bearing = number
-    return number, bearing
+@inlined
+def is_smooth_by(smooth, point):
+    """Whether a point has no friction."""
+    rest = int(smooth / POWERS_OF_TWO[point])
+    return rest - 2 * int(rest * 0.5) == 1
+
+
+def rows_of_mode(mode, m, smooth, row):
+    """(held, all): how many rows a mode holds, and with those of idle points, into row (3 m,).
+
+    Row 3 i is that of the gap of point i, those of its slips follow. Gaps of points that bear come
+    first, then slips of those that stick, and last gaps of idle points.
+    """
+    held = 0
+    for i in range(m):
+        digit = digit_of(mode, i)
+        if digit != OPEN and digit != IDLES:
+            row[held] = 3 * i
+            held += 1
+    for i in range(m):
+        if digit_of(mode, i) == BEARS and not is_smooth_by(smooth, i):
+            row[held] = 3 * i + 1
+            row[held + 1] = 3 * i + 2
+            held += 2
+    every = held
+    for i in range(m):
+        if digit_of(mode, i) == IDLES:
+            row[every] = 3 * i
+            every += 1
+    return held, every
 
 
 @rolled
@@ -80,19 +102,20 @@ def solve_through_mass(n, matrix, b, width, a, inverse, massless):
 
 @rolled
 def share_load(k, others, a, share):
-    """Forces of k points that bear, and what `others` would bear beside them, into share.
+    """Forces in k rows that are held, and those that `others` would have, into share.
 
-    More points of a rigid body than three leave open how they share the load. They do so as equal
-    springs under the body, without torsion: their forces are linear in the place of a point, and so
-    a combination of the rows of J, each of which is one of as many as are independent. The forces
-    of the others are those of the same line.
+    More than three points of a rigid body leave open how they share the load. They do so as equal
+    springs under the body, without torsion: the normal forces are linear in the place of a point.
+    Forces along the ground of points that stick are shared alike; since all lie in one plane, the
+    sum and the moment of these do not depend on the others. Such forces are a combination of the
+    rows of J, each of which is one of as many as are independent.
 
-    a (k, k + others + 1) row by row, changed : J M^-1 J' of the points that bear, the columns of
-    the others, and the accelerations that forces are to give. share (k + others,). Returns how many
-    points are independent.
+    a (k, k + others + 1) row by row, changed : J M^-1 J' of the rows, the columns of the others,
+    and the accelerations that forces are to give. share (k + others,). Returns how many rows are
+    independent.
     """
     width, rank, largest = k + others + 1, 0, 0.0
-    pivots = np.zeros(MOST_POINTS_IN_SPACE, np.int64)
+    pivots = np.zeros(MOST_ROWS, np.int64)
     for i in range(k):
         largest = max(largest, a[i * width + i])
     for _ in range(k):
@@ -126,13 +149,12 @@ def share_load(k, others, a, share):
 
 @rolled
 def spread_load(k, width, pivots, a):
-    """From the forces of the independent points alone to theirs where all share the load.
+    """From the forces of the independent rows alone to theirs where all share the load.
 
-    With F, by which the rows of all others are combinations of theirs: (1 + F F') N = N of those
-    alone. The forces stand in the last column of a.
+    With F, by which all other rows are combinations of theirs: (1 + F F') N = N of those alone. The
+    forces stand in the last column of a.
     """
-    left = np.empty(MOST_POINTS_IN_SPACE * (MOST_POINTS_IN_SPACE + 1))
-    row = np.empty(MOST_POINTS_IN_SPACE, np.int64)
+    left, row = np.empty(MOST_ROWS * (MOST_ROWS + 1)), np.empty(MOST_ROWS, np.int64)
     rank = 0
     for i in range(k):
         if pivots[i] == 1:
@@ -162,58 +184,71 @@ def spread_load(k, width, pivots, a):
 
 
 @rolled
-def motion_in_code(mode, n, m, matrix, forces, told, accelerations, share):
-    """Accelerations (n,) in a mode, and what each point that touches bears, or would, (m,).
+def motion_in_code(mode, n, m, smooth, matrix, forces, told, accelerations, share):
+    """Accelerations (n,) in a mode, and the forces at each point: normal, along x and y, (3 m,).
 
     matrix (n, n), forces (n,) : of `free_motion`. told : of `points`. share : zero of a point that
     is open; of an idle one what it would bear, negative as long as it is idle.
     """
-    size = FIRST_LEVER + 3 * n
-    place = np.empty(MOST_POINTS_IN_SPACE, np.int64)
-    order, bearing = touching(mode, m, place)
-    for i in range(m):
-        share[i] = 0.0
-    b = np.empty(MOST_COORDINATES * (MOST_POINTS_IN_SPACE + 1))
-    a, scratch = np.empty(MOST_COORDINATES * MOST_COORDINATES), np.empty(MOST_COORDINATES)
-    columns = bearing + 1
+    row = np.empty(MOST_ROWS, np.int64)
+    held, every = rows_of_mode(mode, m, smooth, row)
+    for r in range(3 * m):
+        share[r] = 0.0
+    b = np.empty(MOST_COORDINATES * (MOST_ROWS + 1))
+    scratch, inverse = np.empty(MOST_COORDINATES * MOST_COORDINATES), np.empty(MOST_COORDINATES)
+    columns = held + 1
     for i in range(n):
         b[i * columns] = forces[i]
-        for j in range(bearing):
-            b[i * columns + 1 + j] = told[place[j] * size + FIRST_LEVER + i]
-    solve_through_mass(n, matrix, b, columns, a, scratch, 1e-13)
-    if bearing > 0:
-        width = order + 1
-        for i in range(bearing):
-            for j in range(width):
-                # of M^-1 J' of this point, or last of the free accelerations
-                column = i + 1 if j < order else 0
-                row = place[j if j < order else i] * size + FIRST_LEVER
+    for r in range(held):
+        lever = lever_of(row[r], n)
+        for i in range(n):
+            b[i * columns + 1 + r] = told[lever + i]
+    solve_through_mass(n, matrix, b, columns, scratch, inverse, MASSLESS_IN_SPACE)
+    if held > 0:
+        a, found = np.empty(MOST_ROWS * (MOST_ROWS + 1)), np.empty(MOST_ROWS)
+        width = every + 1
+        for r in range(held):
+            for s in range(width):
+                # M^-1 J' of this row, or last the free accelerations
+                lever, column = lever_of(row[s if s < every else r], n), r + 1 if s < every else 0
                 total = 0.0
-                for c in range(n):
-                    total += told[row + c] * b[c * columns + column]
-                a[i * width + j] = total
-            last = i * width + order
-            a[last] = -a[last] - told[place[i] * size + FIRST_BIAS]
-        found = np.empty(MOST_POINTS_IN_SPACE)
-        share_load(bearing, order - bearing, a, found)
-        for j in range(order):
-            share[place[j]] = found[j]
+                for i in range(n):
+                    total += told[lever + i] * b[i * columns + column]
+                a[r * width + s] = total
+            a[r * width + every] = -a[r * width + every] - told[bias_of(row[r], n)]
+        share_load(held, every - held, a, found)
+        for r in range(every):
+            share[row[r]] = found[r]
     for i in range(n):
         total, largest = b[i * columns], abs(b[i * columns])
-        for j in range(bearing):
-            term = share[place[j]] * b[i * columns + 1 + j]
+        for r in range(held):
+            term = share[row[r]] * b[i * columns + 1 + r]
             total += term
             largest += abs(term)
         accelerations[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
 
 
 @inlined
+def lever_of(row, n):
+    """Where a row of J begins in what `points` tells."""
+    point = int(row / 3)
+    return point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + (row - 3 * point) * n
+
+
+@inlined
+def bias_of(row, n):
+    """Where the bias of a row stands in what `points` tells."""
+    point = int(row / 3)
+    return point * (FIRST_LEVER + 3 * n) + FIRST_BIAS + row - 3 * point
+
+
+@inlined
 def guards_in_code(mode, n, m, told, share, g):
     """Guards of the points of a mode into g (m,): a gap, or what a point bears, or would not."""
     for i in range(m):
-        state = state_in_code(mode, i)
-        g[i] = share[i]
-        if state == OPEN:
+        digit = digit_of(mode, i)
+        g[i] = share[3 * i]
+        if digit == OPEN:
             g[i] = told[i * (FIRST_LEVER + 3 * n)]
-        elif state == IDLE_POINT:
-            g[i] = -share[i]
+        elif digit == IDLES:
+            g[i] = -share[3 * i]

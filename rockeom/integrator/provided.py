@@ -101,6 +101,9 @@ def landed(
 
 N_MODES: int
 N_CANDIDATES: int
+N_USUAL_CANDIDATES: int
+MOST_FITTING: int
+SMOOTH: int
 
 
 def guards_in(mode: Int) -> int: ...

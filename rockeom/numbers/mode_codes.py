@@ -8,10 +8,22 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rockeom.codes import BOUND, FRICTIONLESS, IDLE_POINT, LANDING, LIFTING, OPEN, STATES_IN_SPACE
+from rockeom.codes import (
+    BEARS,
+    BOUND,
+    DIGITS_OF_STATES,
+    FRICTIONLESS,
+    IDLE_POINT,
+    IDLES,
+    LANDING,
+    LIFTING,
+    OPEN,
+    RELEASED,
+    STICK,
+)
 
-_WORDS = {FRICTIONLESS: "", IDLE_POINT: "_idle"}
-_STATES = {word: state for state, word in _WORDS.items()}
+_WORDS = {BEARS: "", IDLES: "_idle", RELEASED: "_released"}
+_DIGITS = {word: digit for digit, word in _WORDS.items()}
 _FLIGHT = "flight"
 
 
@@ -23,21 +35,21 @@ class ByCode(Sequence[Any]):
     points : int
         Number of points.
     row : callable
-        What the table has of a mode, by the states of its points, a tuple of int.
+        What the table has of a mode, by the digits of its points, a tuple of int.
     """
 
     def __init__(self, points: int, row: Callable[[tuple[int, ...]], Any]) -> None:
         self._points, self._row = points, row
 
     def __len__(self) -> int:
-        return len(STATES_IN_SPACE) ** self._points
+        return len(DIGITS_OF_STATES) ** self._points
 
     def __getitem__(self, mode: Any) -> Any:
         if isinstance(mode, slice):
             return [self[i] for i in range(*mode.indices(len(self)))]
         if not 0 <= mode < len(self):
             raise IndexError(f"mode {mode} of {len(self)}")
-        return self._row(states_of(int(mode), self._points))
+        return self._row(digits_of(int(mode), self._points))
 
 
 class ModeNames(ByCode):
@@ -53,8 +65,8 @@ class ModeNames(ByCode):
         self._names = tuple(points)
         super().__init__(len(points), self._name)
 
-    def _name(self, states: tuple[int, ...]) -> str:
-        words = (name + _WORDS.get(s, "") for name, s in zip(self._names, states, strict=True) if s)
+    def _name(self, digits: tuple[int, ...]) -> str:
+        words = (name + _WORDS[d] for name, d in zip(self._names, digits, strict=True) if d)
         return "_".join(words) or _FLIGHT
 
     def index(self, value: Any, *_: Any) -> int:
@@ -65,7 +77,7 @@ class ModeNames(ByCode):
         match = re.fullmatch(parts, "" if value == _FLIGHT else f"{value}_")
         if match is None or not value:
             raise ValueError(f"{value!r} is not a mode")
-        return code_of([_STATES.get(word, OPEN) for word in match.groups()])
+        return code_of([_DIGITS.get(word, OPEN) for word in match.groups()])
 
     def __contains__(self, value: object) -> bool:
         try:
@@ -75,25 +87,26 @@ class ModeNames(ByCode):
         return True
 
 
-def states_of(mode: int, points: int) -> tuple[int, ...]:
-    """The states of the points in a mode."""
-    base = len(STATES_IN_SPACE)
-    return tuple(STATES_IN_SPACE[mode // base**i % base] for i in range(points))
+def digits_of(mode: int, points: int) -> tuple[int, ...]:
+    """The digits of the points in the number of a mode."""
+    base = len(DIGITS_OF_STATES)
+    return tuple(mode // base**i % base for i in range(points))
 
 
-def code_of(states: Sequence[int]) -> int:
-    """The mode in which points have these states."""
-    digits = map(STATES_IN_SPACE.index, states)
-    return sum(digit * len(STATES_IN_SPACE) ** i for i, digit in enumerate(digits))
+def code_of(digits: Sequence[int]) -> int:
+    """The number of the mode in which points have these digits."""
+    return sum(digit * len(DIGITS_OF_STATES) ** i for i, digit in enumerate(digits))
 
 
-def tables_by_code(points: Sequence[str], bounds: int) -> tuple[Any, ...]:
+def tables_by_code(points: Sequence[str], smooth: int, bounds: int) -> tuple[Any, ...]:
     """MODES, POINT_STATES, KINDS, SUBJECTS, SHARED and others whose rows are alike.
 
     Parameters
     ----------
     points : tuple of str
         Names of the points.
+    smooth : int
+        Number with a binary digit 1 for each point without friction.
     bounds : int
         Number of bounds, whose guards stand behind those of the points.
 
@@ -106,15 +119,23 @@ def tables_by_code(points: Sequence[str], bounds: int) -> tuple[Any, ...]:
     m = len(points)
     subjects = tuple(range(m + bounds))
 
-    def kinds(states: tuple[int, ...]) -> tuple[int, ...]:
-        of_points = (LANDING if state == OPEN else LIFTING for state in states)
+    def kinds(digits: tuple[int, ...]) -> tuple[int, ...]:
+        of_points = (LANDING if digit == OPEN else LIFTING for digit in digits)
         return (*of_points, *[BOUND] * bounds)
 
+    def states(digits: tuple[int, ...]) -> tuple[int, ...]:
+        return tuple(
+            {OPEN: OPEN, IDLES: IDLE_POINT, RELEASED: FRICTIONLESS}.get(
+                digit, FRICTIONLESS if smooth >> i & 1 else STICK
+            )
+            for i, digit in enumerate(digits)
+        )
+
     def alike(value: Any) -> ByCode:
-        return ByCode(m, lambda states: value)
+        return ByCode(m, lambda digits: value)
 
     none = alike((-1,) * len(subjects))
     return (
-        ModeNames(points), ByCode(m, tuple), ByCode(m, kinds), alike(subjects),
+        ModeNames(points), ByCode(m, states), ByCode(m, kinds), alike(subjects),
         alike(tuple(range(m))), alike(len(subjects)), alike(()), alike(0.0), none, none, none,
     )  # fmt: skip

@@ -637,7 +637,10 @@ def _by_elements(
     First those where all have their first states, and their last: two whose guards tell all.
     """
     every = zip(module.POINT_STATES, module.ELEMENT_STATES, strict=True)
-    fits = {states: c for c, (of, states) in enumerate(every) if of == points}
+    fits: dict[tuple[int, ...], int] = {}
+    for c, (of, states) in enumerate(every):
+        if of == points:
+            fits.setdefault(states, c)
     each: tuple[dict[int, int], ...] = tuple({} for _ in module.ELEMENTS)
     rows = [*fits]
     for states in (rows[0], rows[-1], *rows):

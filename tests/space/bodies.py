@@ -37,24 +37,27 @@ TRIPOD = {"one": (1, 1), "two": (-1, 1), "three": (0, -1)}
 
 
 @cache
-def model(name: str, corners: tuple[tuple[str, tuple[int, int]], ...], restitution=0) -> Model:
-    """A prism on smooth points, whose places are given in half edges."""
+def model(
+    name: str, corners: tuple[tuple[str, tuple[int, int]], ...], restitution=0, friction=0
+) -> Model:
+    """A prism on points, whose places are given in half edges."""
     b, c, h = (p.symbol for p in (B, C, H))
     feet = {foot: (x * b, y * c, -h) for foot, (x, y) in corners}
     return Model(
-        name=name, title="Prism on smooth feet", parameters=(MASS, B, C, H, G),
+        name=name, title="Prism on feet", parameters=(MASS, B, C, H, G),
         coordinates=(*PLACE, *ANGLES), gravity=G.symbol, rotation=ANGLES[1],
         bodies=[space.box("prism", MASS.symbol, (2 * b, 2 * c, 2 * h), FRAME)],
-        contacts=space.feet(FRAME, feet, Rigid(restitution=restitution, friction=0)),
+        contacts=space.feet(FRAME, feet, Rigid(restitution=restitution, friction=friction)),
         falls=space.tilt(FRAME, sp.Rational(14, 10)),
     )  # fmt: skip
 
 
 def prism(
-    given: Mapping[str, float], corners: Mapping[str, tuple[int, int]] = CORNERS, restitution=0
-):
-    """The structure of a case."""
-    declared = model(f"prism_on_{len(corners)}", tuple(corners.items()), restitution)
+    given: Mapping[str, float], corners: Mapping[str, tuple[int, int]] = CORNERS, restitution=0,
+    friction=0,
+):  # fmt: skip
+    """The structure of a case, on smooth feet, or with friction=None on those that never slip."""
+    declared = model(f"prism_on_{len(corners)}", tuple(corners.items()), restitution, friction)
     names = {"mass": "m", "half_width": "b", "half_depth": "c", "half_height": "h"}
     values = {name: float(given[letter]) for name, letter in names.items()}
     return rk.structure(declared, **values, gravity=GRAVITY)
@@ -86,16 +89,13 @@ def spin(state: Mapping[str, float]) -> np.ndarray:
 
 def spin_rate(state: Mapping[str, float], accelerations: Mapping[str, float]) -> np.ndarray:
     """The angular acceleration along the axes of the ground."""
-    step = 1e-6
-    ahead, behind = (
-        _axes(state["yaw"] + s * state["yaw_dot"], state["pitch"] + s * state["pitch_dot"])
-        for s in (step, -step)
-    )
+    yaw, pitch = state["yaw"], state["pitch"]
     rates = np.array([state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")])
-    turning = (ahead - behind) / (2 * step) @ rates
-    return turning + _axes(state["yaw"], state["pitch"]) @ [
-        accelerations[name] for name in ("yaw", "pitch", "roll")
-    ]
+    s, c, s_p, c_p = np.sin(yaw), np.cos(yaw), np.sin(pitch), np.cos(pitch)
+    about_y = rates[0] * np.array([-c, -s, 0.0])
+    about_x = rates[0] * c_p * np.array([-s, c, 0.0]) - rates[1] * np.array([c * s_p, s * s_p, c_p])
+    turning = np.array([np.zeros(3), about_y, about_x]).T @ rates
+    return turning + _axes(yaw, pitch) @ [accelerations[n] for n in ("yaw", "pitch", "roll")]
 
 
 def on_feet(feet: Mapping[str, Sequence[float]], elements=(), restitution=0, **more):

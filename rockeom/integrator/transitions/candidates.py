@@ -26,12 +26,14 @@ from rockeom.compiler.decorators import inlined, rolled, unrolled
 from rockeom.integrator.ground import shaking_at
 from rockeom.integrator.provided import (
     AXES,
+    MOST_FITTING,
     N_CANDIDATES,
     N_ELEMENTS,
     N_GUARDS,
     N_PARTS,
     N_POINTS,
     N_STATES,
+    N_USUAL_CANDIDATES,
     ROTATION,
     STILL,
     candidate_of,
@@ -84,10 +86,12 @@ from rockeom.integrator.transitions.points import (
     SPREAD,
     along,
     contact_data,
+    hold_slip,
     is_closed,
     put_on,
     rate_of,
     row_of_point,
+    slip_of,
     through_mass,
 )
 
@@ -145,19 +149,21 @@ def freedom_of(point, mode, contact):
 
 
 def fitting_states(
-    mode, left_out, near, sliding, wanted, contact, sizes, tolerance, alike, fitting
+    mode, left_out, extra, near, sliding, wanted, contact, sizes, tolerance, alike, fitting
 ):  # fmt: skip
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
     They fit by `tolerance`, and what they change of the velocities, or accelerations, differs by no
     more than `alike`, squared in the measure of the mass: the best, which has the largest margin,
     is AMBIGUOUS if it does, and IMPOSSIBLE if none fits. left_out : a mode that is none of them, or
-    -1. fitting : on return its first `several` numbers are the modes that fit.
+    -1. extra : whether candidates are those that follow only where no other one fits. fitting : on
+    return its first `several` numbers are the modes that fit.
     """
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
-    for number in range(N_CANDIDATES):
+    first_number = N_USUAL_CANDIDATES if extra else 0
+    for number in range(first_number, N_CANDIDATES if extra else N_USUAL_CANDIDATES):
         candidate = candidate_of(number, mode, near, sliding, wanted, contact, impulse)
         if candidate < 0 or candidate == left_out:
             continue
@@ -173,8 +179,9 @@ def fitting_states(
             apart[i] = this[i] - first[i]
         if several > 0 and squared(contact, apart) > alike:
             return AMBIGUOUS, several
-        fitting[several] = candidate
-        several += 1
+        if several < MOST_FITTING:
+            fitting[several] = candidate
+            several += 1
         if margin > most:
             best, most = candidate, margin
     return best, several
@@ -231,7 +238,7 @@ def collide(mode, near, slowest, contact, y):
     n = N_COORDINATES
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     change, sliding = np.empty(N_COORDINATES), np.zeros(N_POINTS)
-    fitting = np.empty(N_CANDIDATES, np.int64)
+    fitting = np.empty(MOST_FITTING, np.int64)
     for i in range(n):
         change[i] = y[n + i]
     whole = squared(contact, change)
@@ -243,9 +250,12 @@ def collide(mode, near, slowest, contact, y):
         if AXES * point == r:
             wanted[r] -= contact[LAWS + 2 * point] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    follows, _ = fitting_states(
-        mode, -1, near, sliding, wanted, contact, sizes, FITS, alike, fitting
-    )  # fmt: skip
+    follows = IMPOSSIBLE
+    for turn in range(1 if N_CANDIDATES == N_USUAL_CANDIDATES else 2):
+        if follows == IMPOSSIBLE:
+            follows, _ = fitting_states(
+                mode, -1, turn == 1, near, sliding, wanted, contact, sizes, FITS, alike, fitting
+            )  # fmt: skip
     if follows >= 0:
         impulse = np.empty(ROWS)
         impulses_of(follows, wanted, contact, impulse)
@@ -276,8 +286,8 @@ def closed_points(y, p, mode, contact, near, sliding):
         least = max(GIVEN * speeds[AXES * i], NO_MOTION * math.sqrt(free[AXES * i] * length))
         rate = abs(contact[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
+        slip, _ = slip_of(contact, i, y, N_COORDINATES)
         row = AXES * i + 1
-        slip, _ = rate_of(contact, row, y, N_COORDINATES)
         least = max(GIVEN * speeds[row], NO_MOTION * math.sqrt(free[row] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
@@ -367,18 +377,18 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     between them. rtol : the relative tolerance of the motion, by whose error a mode must fit where
     none fits nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
-    wanted, fitting = np.empty(ROWS), np.empty(N_CANDIDATES, np.int64)
+    wanted, fitting = np.empty(ROWS), np.empty(MOST_FITTING, np.int64)
     shaking = shaking_at(ground, 0, 1)
     whole = without_forces(y, p, shaking, mode, contact, wanted, sizes)
     follows = IMPOSSIBLE
-    for turn in range(2):
+    for turn in range(2 if N_CANDIDATES == N_USUAL_CANDIDATES else 4):
         # the state after many steps is off by more than an event's time
-        error = NEARLY if turn == 0 else STEPS_ERROR * rtol
+        extra, error = turn > 1, NEARLY if turn in (0, 2) else STEPS_ERROR * rtol
         if follows != IMPOSSIBLE or error < NEARLY:
-            break
+            continue
         alike = ALIKE * ALIKE * error * error * whole
         follows, several = fitting_states(
-            mode, -1, near, sliding, wanted, contact, sizes, error, alike, fitting
+            mode, -1, extra, near, sliding, wanted, contact, sizes, error, alike, fitting,
         )  # fmt: skip
         decided = several <= 1 and not (ends and follows == mode)
         if ends and follows == AMBIGUOUS:
@@ -388,7 +398,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
             decided = follows != IMPOSSIBLE
             if not decided:
                 follows, several = fitting_states(
-                    mode, mode, near, sliding, wanted, contact, sizes, error, alike, fitting
+                    mode, mode, extra, near, sliding, wanted, contact, sizes, error, alike, fitting
                 )  # fmt: skip
                 decided = several <= 1
         if follows >= 0 and not decided:
@@ -522,12 +532,12 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
         rows[AXES * i], wanted[AXES * i] = 1, -rate
         if is_smooth(i):
             continue
-        slip, size = rate_of(contact, AXES * i + 1, out, n)
+        slip, size = slip_of(contact, i, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[AXES * i + 1])
         if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
             still = True
         if still:
-            rows[AXES * i + 1], wanted[AXES * i + 1] = 1, -slip
+            hold_slip(contact, i, out, rows, wanted)
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
     put_on(rows, wanted, n, contact, out)

@@ -4,13 +4,25 @@ The contract of modes, as modes_by_table.py fulfils it for those that a table li
 points come first, one of each, then those of bounds.
 """
 
-from rockeom.codes import BOUND, LANDING, LIFTING, OPEN
+from rockeom.codes import (
+    BEARS,
+    BOUND,
+    FRICTIONLESS,
+    IDLE_POINT,
+    IDLES,
+    LANDING,
+    LIFTING,
+    OPEN,
+    STICK,
+)
 from rockeom.compiler.decorators import inlined
-from rockeom.generated.numeric_modes import state_in_code
-from rockeom.integrator.provided import N_BOUNDS_OF_DECLARATION, N_GUARDS, N_POINTS
+from rockeom.generated.numeric_modes import digit_of, is_smooth_by
+from rockeom.integrator.provided import N_BOUNDS_OF_DECLARATION, N_GUARDS, N_POINTS, SMOOTH
 
 N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
-N_CANDIDATES = 2 * 2**N_POINTS  # sets of points that touch, and whether some are idle
+N_USUAL_CANDIDATES = 2 * 2**N_POINTS  # sets of points that touch, and whether some are idle
+N_CANDIDATES = N_USUAL_CANDIDATES * 2**N_POINTS  # and sets of those that are released
+MOST_FITTING = 64  # candidates that move alike
 
 
 @inlined
@@ -24,7 +36,7 @@ def kind_of(mode, guard):
     """The kind of event with which a guard of a mode ends it."""
     if guard >= N_POINTS:
         return BOUND
-    return LANDING if state_in_code(mode, guard) == OPEN else LIFTING
+    return LANDING if digit_of(mode, guard) == OPEN else LIFTING
 
 
 @inlined
@@ -65,8 +77,13 @@ def side_of(mode):
 
 @inlined
 def point_state(mode, point):
-    """The state of a point in a mode."""
-    return state_in_code(mode, point)
+    """The state of a point in a mode; a released one has no friction."""
+    digit = digit_of(mode, point)
+    if digit == IDLES:
+        return IDLE_POINT
+    if digit == BEARS and not is_smooth_by(SMOOTH, point):
+        return STICK
+    return OPEN if digit == OPEN else FRICTIONLESS
 
 
 @inlined

@@ -17,7 +17,7 @@ from rockeom.integrator.provided import (
     TARGETS,
 )
 
-N_MODES = N_CANDIDATES = len(SIDES)
+N_MODES = N_CANDIDATES = N_USUAL_CANDIDATES = MOST_FITTING = len(SIDES)
 
 
 @inlined

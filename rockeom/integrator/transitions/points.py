@@ -3,6 +3,8 @@
 Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
 """
 
+import math
+
 import numpy as np
 
 from rockeom.codes import MOST_DIGITS
@@ -235,6 +237,22 @@ def rate_of(contact, row, y, first):
         total += term
         size += abs(term)
     return total, size
+
+
+def slip_of(contact, point, y, first):
+    """The slip of a point by y[first : first + n], in space its size, and the size of its terms."""
+    slip, size = rate_of(contact, AXES * point + 1, y, first)
+    if AXES == 3:
+        other, larger = rate_of(contact, AXES * point + 2, y, first)
+        slip, size = math.sqrt(slip * slip + other * other), max(size, larger)
+    return slip, size
+
+
+def hold_slip(contact, point, y, rows, wanted):
+    """Let rows (ROWS,) hold a point along the ground, by the change of its velocity in `wanted`."""
+    for row in range(AXES * point + 1, AXES * point + AXES):
+        slip, _ = rate_of(contact, row, y, N_COORDINATES)
+        rows[row], wanted[row] = 1, -slip
 
 
 def gap_rounding(contact, y):

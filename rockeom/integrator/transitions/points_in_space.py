@@ -1,90 +1,113 @@
 """Points that touch in space: which modes may follow, and the impulses or forces of each.
 
-Points have no friction. Some that touch may be idle: the others bear the load without them.
-The contract of points, as points_in_plane.py fulfils it.
+A point is smooth, or never slips. Some that touch may be idle: the others bear the load without
+them. One that would have to slip may be released, so that it bears without friction. The contract
+of points, as points_in_plane.py fulfils it.
 """
 
 import numpy as np
 
-from rockeom.codes import FRICTIONLESS, IDLE_POINT, OPEN
+from rockeom.codes import BEARS, IDLES, OPEN, RELEASED
 from rockeom.compiler.decorators import inlined, rolled
-from rockeom.generated.numeric_modes import PLACE_VALUES, share_load, touching
+from rockeom.generated.numeric_modes import (
+    PLACE_VALUES,
+    digit_of,
+    is_smooth_by,
+    rows_of_mode,
+    share_load,
+)
 from rockeom.integrator.provided import (
     ANGLES,
     AXES,
     N_POINTS,
     N_STATES,
+    SMOOTH,
     STILL,
     point_state,
     rates,
 )
 from rockeom.integrator.tolerances import NEARLY, NO_TURN
-from rockeom.integrator.transitions.points import (
-    COUPLING,
-    N_COORDINATES,
-    ROWS,
-    exceeds,
-)
+from rockeom.integrator.transitions.points import COUPLING, N_COORDINATES, ROWS, exceeds
 
 __fused__ = False
 
+SETS_OF_POINTS = 2**N_POINTS
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
-BEARS, IDLES = 1, 2  # digits of states in the number of a mode
 
 
 def is_smooth(point):
     """Whether a point has no friction whatever the parameters are."""
-    return True
+    return is_smooth_by(SMOOTH, point)
 
 
 @rolled
 def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
 
-    The number says whether points that would bear nothing are idle, and which points touch: all of
-    them first, since of modes that move alike the one that keeps more points closed follows. Where
-    more bear than are independent, and one of them would pull, it is idle, and the others are
-    solved again.
+    The number says whether points that would bear nothing are idle, which points touch, all of them
+    first, since of modes that move alike the one that keeps more points closed follows, and which
+    of these are released: points that would pull if they stuck. One that slips is so already.
     """
-    left, candidate = int(number * 0.5), 0
-    unloaded = number - 2 * left == 1
+    left, share = int(number * 0.5), np.empty(ROWS)
+    candidate, freed, released = 0, 0, int(left / SETS_OF_POINTS)
     for i in range(N_POINTS):
-        half = int(left * 0.5)
-        if left - 2 * half == 0:  # it touches
-            if near[i] == 0:
-                return -1
-            candidate += BEARS * PLACE_VALUES[i]
-        left = half
-    share = np.empty(N_POINTS)
+        half, rest = int(left * 0.5), int(released * 0.5)
+        touches, frees = left - 2 * half == 0, released - 2 * rest == 1
+        slips = not is_smooth(i) and near[i] == 1 and sliding[i] != 0.0
+        if (touches and near[i] == 0) or (frees and (is_smooth(i) or slips or not touches)):
+            return -1
+        if touches:
+            candidate += (RELEASED if slips else BEARS) * PLACE_VALUES[i]
+            freed += (RELEASED - BEARS) * PLACE_VALUES[i] if frees else 0
+        left, released = half, rest
+    if freed > 0:
+        if not would_pull(candidate, candidate + freed, wanted, contact, share):
+            return -1
+        candidate += freed
     for _ in range(3 * N_POINTS):
         which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
         if which >= 0:
             candidate += changed_digit(candidate, which)
-    if unloaded:
+    if number - 2 * int(number * 0.5) == 1:
         which = wrongly_loaded(candidate, NEARLY, wanted, contact, share)
-        if which < 0 or point_state(candidate, which) == IDLE_POINT:
+        if which < 0 or digit_of(candidate, which) == IDLES:
             return -1
         candidate += changed_digit(candidate, which)
-    shares_in(candidate, wanted, contact, share)
-    bear(candidate, share, impulse)
+    impulses_of(candidate, wanted, contact, impulse)
     return candidate
+
+
+def would_pull(sticks, candidate, wanted, contact, share):
+    """Whether the points that a candidate releases press on nothing, or pull, where they stick."""
+    shares_in(sticks, wanted, contact, share)
+    largest = 0.0
+    for i in range(N_POINTS):
+        largest = max(largest, abs(share[AXES * i]))
+    pulls = True
+    for i in range(N_POINTS):
+        released = digit_of(candidate, i) != digit_of(sticks, i)
+        pulls = pulls and not (released and share[AXES * i] > NEARLY * largest)
+    return pulls
 
 
 def wrongly_loaded(candidate, tolerance, wanted, contact, share):
     """A point that would pull and may be idle, or that is idle and would bear; or -1.
 
     The one of which that is most so, a force below `tolerance` of the largest being none. share
-    (N_POINTS,) : of `shares_in`.
+    (ROWS,) : of `shares_in`.
     """
-    independent, bearing = shares_in(candidate, wanted, contact, share)
-    largest = 0.0
+    shares_in(candidate, wanted, contact, share)
+    spare, largest = has_spare_point(candidate, contact), 0.0
     for i in range(N_POINTS):
-        largest = max(largest, abs(share[i]))
+        largest = max(largest, abs(share[AXES * i]))
     most, which = NEARLY * largest, -1
     for i in range(N_POINTS):
-        idle = point_state(candidate, i) == IDLE_POINT
-        touches = idle or (point_state(candidate, i) == FRICTIONLESS and bearing > independent)
-        wrong = (share[i] if idle else 2.0 * tolerance * largest - share[i]) if touches else 0.0
+        digit, force = digit_of(candidate, i), share[AXES * i]
+        wrong = 0.0
+        if digit == IDLES:
+            wrong = force
+        elif digit == BEARS and spare:
+            wrong = 2.0 * tolerance * largest - force
         if wrong > most:
             most, which = wrong, i
     return which
@@ -92,8 +115,8 @@ def wrongly_loaded(candidate, tolerance, wanted, contact, share):
 
 @inlined
 def changed_digit(mode, point):
-    """What the number of a mode gains where a point that bears is idle, or the other way."""
-    change = IDLES - BEARS if point_state(mode, point) == FRICTIONLESS else BEARS - IDLES
+    """Gain of the number of a mode where a point that bears is idle, or the other way."""
+    change = IDLES - BEARS if digit_of(mode, point) == BEARS else BEARS - IDLES
     return change * PLACE_VALUES[point]
 
 
@@ -102,42 +125,48 @@ def impulses_of(candidate, wanted, contact, impulse):
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
     """
-    share = np.empty(N_POINTS)
-    shares_in(candidate, wanted, contact, share)
-    bear(candidate, share, impulse)
-
-
-@inlined
-def bear(candidate, share, impulse):
-    """The impulses (ROWS,) of the points that bear."""
-    for r in range(ROWS):
-        impulse[r] = 0.0
+    shares_in(candidate, wanted, contact, impulse)
     for i in range(N_POINTS):
-        if point_state(candidate, i) == FRICTIONLESS:
-            impulse[AXES * i] = share[i]
+        if digit_of(candidate, i) == IDLES:
+            impulse[AXES * i] = 0.0
 
 
 @rolled
 def shares_in(candidate, wanted, contact, share):
-    """(independent, bearing): how many points bear, and how many of these are independent.
+    """Impulses, or forces, in each row that is held, into share (ROWS,).
 
-    share (N_POINTS,) : what each bears, and an idle one would.
+    The normal one of a point that is idle is the one that it would have.
     """
+    a, found = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS)
+    row = np.empty(ROWS, np.int64)
+    held, every = rows_of_mode(candidate, N_POINTS, SMOOTH, row)
+    width = every + 1
+    for r in range(held):
+        for s in range(every):
+            a[r * width + s] = contact[COUPLING + row[r] * ROWS + row[s]]
+        a[r * width + every] = wanted[row[r]]
+    share_load(held, every - held, a, found)
+    for r in range(ROWS):
+        share[r] = 0.0
+    for r in range(every):
+        share[row[r]] = found[r]
+
+
+@rolled
+def has_spare_point(candidate, contact):
+    """Whether a point may cease to bear, and the others keep its gap closed."""
     a, found = np.empty(N_POINTS * (N_POINTS + 1)), np.empty(N_POINTS)
-    place = np.empty(N_POINTS, np.int64)
-    order, bearing = touching(candidate, N_POINTS, place)
-    width = order + 1
-    for i in range(bearing):
-        row = AXES * place[i]
-        for j in range(order):
-            a[i * width + j] = contact[COUPLING + row * ROWS + AXES * place[j]]
-        a[i * width + order] = wanted[row]
-    independent = share_load(bearing, order - bearing, a, found)
+    row, bearing = np.empty(N_POINTS, np.int64), 0
     for i in range(N_POINTS):
-        share[i] = 0.0
-    for j in range(order):
-        share[place[j]] = found[j]
-    return independent, bearing
+        if digit_of(candidate, i) in (BEARS, RELEASED):
+            row[bearing] = AXES * i
+            bearing += 1
+    width = bearing + 1
+    for r in range(bearing):
+        for s in range(bearing):
+            a[r * width + s] = contact[COUPLING + row[r] * ROWS + row[s]]
+        a[r * width + bearing] = 0.0
+    return share_load(bearing, 0, a, found) < bearing
 
 
 def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
@@ -146,19 +175,18 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
     They press, and open points leave; idle ones stay, and would pull. A margin is relative to
     sizes, see `sizes_of`. Once it is below `least_of_all` no other one is computed.
     """
-    least, share = np.inf, np.empty(N_POINTS)
+    least, share = np.inf, np.empty(ROWS)
     shares_in(candidate, wanted, contact, share)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
-        state, normal = point_state(candidate, i), AXES * i
-        if state == FRICTIONLESS:
-            least = min(least, share[i] / sizes[ROWS + i])
-        else:
+        digit, normal = digit_of(candidate, i), AXES * i
+        if digit in (OPEN, IDLES):
             leaves = exceeds(normal, wanted, contact, impulse) / sizes[normal]
-            least = min(least, leaves if state == OPEN else -abs(leaves))
-        if state == IDLE_POINT:
-            least = min(least, -share[i] / sizes[ROWS + i])
+            least = min(least, leaves if digit == OPEN else -abs(leaves))
+        if digit != OPEN:
+            presses = share[normal] / sizes[ROWS + i]
+            least = min(least, -presses if digit == IDLES else presses)
         if not least >= least_of_all:
             return least
     return least
@@ -179,5 +207,5 @@ def held_upright(mode, y, p):
 
 @inlined
 def tips_over(y, p):
-    """Whether a body falls where no forces fit: some always do without friction."""
+    """Whether a body falls where no forces fit."""
     return False

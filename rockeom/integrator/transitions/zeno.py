@@ -55,8 +55,10 @@ from rockeom.integrator.transitions.points import (
     acceleration_of,
     contact_data,
     gap_rounding,
+    hold_slip,
     put_on,
     rate_of,
+    slip_of,
     through_mass,
 )
 
@@ -482,7 +484,7 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
     slips ended, see `close_and_end_slips`. contact : scratch.
     """
     here, w, p, shaking = state
-    n, near = N_COORDINATES, bounces.near
+    near = bounces.near
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     out[:N_STATES] = w
@@ -506,8 +508,7 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
             continue
         wanted[AXES * i] = -contact[i * POINT + 1]
         if point_state(here, i) == STICK:
-            slip, _ = rate_of(contact, AXES * i + 1, out, n)
-            rows[AXES * i + 1], wanted[AXES * i + 1] = 1, -slip
+            hold_slip(contact, i, out, rows, wanted)
     close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out)
     points(out, p, contact)
     ground = np.empty(GROUND_SIZE)
@@ -526,7 +527,7 @@ def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, s
     for i in range(N_POINTS):
         if near[i] == 0 or is_smooth(i) or point_state(here, i) == STICK:
             continue
-        slip, size = rate_of(contact, AXES * i + 1, out, n)
+        slip, size = slip_of(contact, i, out, n)
         friction = contact[LAWS + 2 * i + 1]
         slows = min(friction, 1.0) * sizes[AXES * i] if friction < NEVER_SLIPS else 0.0
         sliding[i] = 1.0 if slip > 0.0 else -1.0
@@ -534,11 +535,12 @@ def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, s
     put_on(rows, wanted, n, contact, out)
     by_itself = 0.0
     for i in range(N_POINTS):
-        wanted[AXES * i] = wanted[AXES * i + 1] = 0.0
+        for axis in range(AXES):
+            wanted[AXES * i + axis] = 0.0
         if ends[i] == 1:
             row = AXES * i + 1
-            slip, size = rate_of(contact, row, out, n)
-            rows[row], wanted[row] = 1, -slip
+            slip, size = slip_of(contact, i, out, n)
+            hold_slip(contact, i, out, rows, wanted)
             least = max(abs(slip), FITS * size)
             by_itself += least * least / contact[COUPLING + row * ROWS + row]
     held[:n] = out[n:N_STATES]

@@ -81,7 +81,7 @@ def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
 def what_of_points(of: ContactDeclaration) -> tuple[str, ...]:
     """Words of the quantities of a point."""
     if of.by_code:
-        return "reaction", "uplift", "slip_x", "slip_y"
+        return "reaction", "friction_x", "friction_y", "uplift", "slip_x", "slip_y"
     return "reaction", "friction", "uplift", "slip"
 
 
@@ -147,7 +147,7 @@ def _are_in_plane(of: ContactDeclaration) -> None:
 
 
 def _are_in_space(of: ContactDeclaration) -> None:
-    """Points slip along x and y, without friction, and no element switches."""
+    """Points slip along x and y without friction, or never; and no element switches."""
     for c in of.contacts:
         what = f"contact {c.name!r}"
         if len(c.slips) != 2:
@@ -161,8 +161,11 @@ def _are_in_space(of: ContactDeclaration) -> None:
                 f"{what} has the impact law {c.law.law!r}, by which a slip turns within an impact "
                 "in space: give 'newton'"
             )
-        if not c.law.frictionless:
-            raise ModelError(f"{what} has friction, which no point in space has: give friction=0")
+        if c.law.friction is not None and not c.law.frictionless:
+            raise ModelError(
+                f"{what} has the friction {c.law.friction}: a point in space has none, friction=0, "
+                "or never slips, friction=None"
+            )
     if of.switching:
         raise ModelError(
             f"element {of.switching[0].name!r} switches, and a structure with contacts in space "
