@@ -68,5 +68,5 @@ def plain(module: ModuleType, method: str, part: str = LOOP) -> dict[str, Any]:
 def plain_texts(*modules: str, **provided: Any) -> dict[str, Any]:
     """Functions and constants of modules of the integrator, for what is provided."""
     texts = ALONE.modules.closure(module_text(f"rockeom.integrator.{name}") for name in modules)
-    ground = {"AXES": 2, "STILL": (0.0, 0.0)}
+    ground = {"AXES": 2, "DIRECTIONS": 2, "STILL": (0.0, 0.0)}
     return as_python(texts, {"__name__": "plain", **ground, **provided})

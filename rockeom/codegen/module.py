@@ -15,7 +15,7 @@ from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.numeric import numeric
 from rockeom.codegen.outputs import Columns, outputs
 from rockeom.codegen.parameters import functions_of_parameters, shapes
-from rockeom.codegen.prelude import PRELUDE, without_prelude
+from rockeom.codegen.prelude import NUMERIC_MODES, PRELUDE, without_prelude
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.searched import searched
 from rockeom.codegen.tables import tables
@@ -81,6 +81,7 @@ def _of_modes(text: Text) -> tuple[dict[str, Columns], list[str]]:
 def _header(text: Text, body: str, shared: list[str]) -> str:
     """Docstring, imports, and the hash of the prelude and of what stands below it."""
     model = text.model
+    parts = PRELUDE + (NUMERIC_MODES if model.is_by_code else "")
     head = HEADER.format(
         title=model.title,
         reference=f"Source: {model.reference}." if model.reference else "",
@@ -97,7 +98,7 @@ def _header(text: Text, body: str, shared: list[str]) -> str:
         imports=_imports(body),
         marks=_marks(body),
         shared=textwrap.indent(textwrap.fill(", ".join(shared) + ",", WIDTH), "    "),
-        digest=hashlib.sha256((PRELUDE + body).encode()).hexdigest()[:16],
+        digest=hashlib.sha256((parts + body).encode()).hexdigest()[:16],
     )
 
 

@@ -118,8 +118,8 @@ def _reactions(text: Text, of: ContactDeclaration) -> Columns:
             f"        out[{first + m} + 2 * i + 1] = share[3 * i + 2]",
         ],
     )
-    totals = [f"{way}_reaction" for way in WAYS] + [f"{c.name}_reaction" for c in of.contacts]
-    return (*totals, *(f"{c.name}_friction_{axis}" for c in of.contacts for axis in "xy"))
+    normal = [f"{way}_reaction" for way in WAYS] + [f"{c.name}_reaction" for c in of.contacts]
+    return (*normal, *(f"{c.name}_friction_{axis}" for c in of.contacts for axis in "xy"))
 
 
 def _tables(of: ContactDeclaration) -> list[str]:

@@ -50,7 +50,7 @@ def _points(text: Text, of: ContactDeclaration) -> None:
     coordinates = of.coordinates
     targets: dict[str, sp.Expr] = {}
     still = {c.acceleration: 0 for c in coordinates}
-    size = 1 + of.axes * (2 + text.n)
+    size = 1 + (3 if of.by_code else 2) * (2 + text.n)
     for i, contact in enumerate(of.contacts):
         gap, *slips = contact.at(contact.side)
         rates = [rate(e, coordinates) for e in (gap, *slips)]

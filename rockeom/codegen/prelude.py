@@ -7,6 +7,8 @@ from rockeom.compiler.sources import ROOT
 
 PRELUDE = (ROOT / "generated" / "prelude.py").read_text(encoding="utf-8")
 """The text of `rockeom.generated.prelude`."""
+NUMERIC_MODES = (ROOT / "generated" / "numeric_modes.py").read_text(encoding="utf-8")
+"""The text of `rockeom.generated.numeric_modes`."""
 
 
 def _defined(statement: ast.stmt) -> list[str]:

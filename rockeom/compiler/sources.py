@@ -13,8 +13,9 @@ def sources() -> list[Path]:
     folders = (ROOT / "symbolic", ROOT / "codegen")
     files = sorted(f for folder in folders for f in folder.rglob("*.py"))
     compiler = (ROOT / "compiler" / f"{name}.py" for name in ("__init__", "sources", "types"))
-    breaks = ROOT / "numbers" / "breaks.py"
-    return [ROOT / "codes.py", breaks, ROOT / "generated" / "prelude.py", *compiler, *files]
+    numbers = (ROOT / "numbers" / f"{name}.py" for name in ("breaks", "mode_codes"))
+    parts = (ROOT / "generated" / f"{name}.py" for name in ("prelude", "numeric_modes"))
+    return [ROOT / "codes.py", *numbers, *parts, *compiler, *files]
 
 
 def digest(*parts: str) -> str:

@@ -100,6 +100,7 @@ def texts_of_modes(
     if is_by_code(generated):
         names = ["modes_by_code", "points_in_space"]
     ground = f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n"
+    ground += f"DIRECTIONS = {3 if is_by_code(generated) else 2}\n"
     texts = [read(f"{INTEGRATOR}.transitions.{name}") for name in names]
     return [*texts, Text("the ground", ground)]
 

@@ -21,6 +21,7 @@ Gap = tuple[float, float, float, float, float, float]
 # -- a generated module: the structure. `shaking` stands for ax, ay, and in space for ax, ay, az.
 
 AXES: int
+DIRECTIONS: int  # in which a point moves: along its gap, and its slips
 STILL: Shaking  # the accelerations of ground that stands still
 N_STATES: int
 N_GUARDS: int
@@ -101,7 +102,8 @@ def landed(
 
 N_MODES: int
 N_CANDIDATES: int
-N_USUAL_CANDIDATES: int
+EXTRA_CANDIDATES: int
+FIRST_FITS: bool
 MOST_FITTING: int
 SMOOTH: int
 
@@ -126,8 +128,8 @@ SIGN_OF: tuple[float, ...]
 
 def is_smooth(point: Int) -> bool: ...
 def candidate_of(
-    number: Int, mode: Int, near: Floats, sliding: Floats, wanted: Floats, contact: Floats,
-    impulse: Floats,
+    number: Int, extra: Int, mode: Int, near: Floats, sliding: Floats, wanted: Floats,
+    contact: Floats, impulse: Floats,
 ) -> int: ...  # fmt: skip
 def impulses_of(candidate: Int, wanted: Floats, contact: Floats, impulse: Floats) -> None: ...
 def margin_of(

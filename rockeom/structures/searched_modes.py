@@ -20,7 +20,7 @@ from rockeom.integrator.schema import (
     GeneratedModule,
     SearchedModes,
     angles,
-    ground_axes,
+    is_by_code,
     still_ground,
 )
 from rockeom.numbers.batch import Differs, Many, values
@@ -61,7 +61,7 @@ class Points:
     """
 
     def __init__(self, module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
-        n, m, axes = len(module.STATES) // 2, len(module.POINTS), len(ground_axes(module))
+        n, m, axes = len(module.STATES) // 2, len(module.POINTS), _directions(module)
         rows = _of_points(module, y, p).reshape(*y.shape[:-1], m, _size_of_point(module))
         levers = rows[..., 1 + 2 * axes :]
         self.module, self.y, self.p = module, y, p
@@ -96,9 +96,14 @@ class Points:
         return contacts
 
 
+def _directions(module: SearchedModes) -> int:
+    """How many directions a point has: along its gap, and its slips."""
+    return 3 if is_by_code(module) else 2
+
+
 def _size_of_point(module: SearchedModes) -> int:
     """How many numbers `points` of the module tells of each: gap, rates, biases and rows."""
-    return 1 + len(ground_axes(module)) * (2 + len(module.STATES) // 2)
+    return 1 + _directions(module) * (2 + len(module.STATES) // 2)
 
 
 def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -638,8 +643,8 @@ def _by_elements(
     """
     every = zip(module.POINT_STATES, module.ELEMENT_STATES, strict=True)
     fits: dict[tuple[int, ...], int] = {}
-    for c, (of, states) in enumerate(every):
-        if of == points:
+    for c, (of_points, states) in enumerate(every):
+        if of_points == points:
             fits.setdefault(states, c)
     each: tuple[dict[int, int], ...] = tuple({} for _ in module.ELEMENTS)
     rows = [*fits]

@@ -24,6 +24,7 @@ from rockeom.codegen.printer import python
 from rockeom.symbolic import SHIPPED
 from tests.codegen.test_languages import STRAPPED
 from tests.contact.declared import pulled_block
+from tests.space.bodies import TRIPOD, model as on_feet
 from tests.space.test_free_body import model as in_space, stone
 
 STRUCTURES = pytest.mark.parametrize("name", rk.models())
@@ -143,7 +144,8 @@ def test_all_that_a_module_binds_is_kept_from_users_names(name):
 
 def test_no_name_is_kept_from_users_that_is_never_written():
     bouncing = rk.derive("sliding_block", law="moreau")
-    declared = map(module_text, (pulled_block(), bouncing, in_space(stone())))
+    on_three = on_feet("prism_on_3", tuple(TRIPOD.items()))
+    declared = map(module_text, (pulled_block(), bouncing, in_space(stone()), on_three))
     texts = [*map(text_of, rk.models()), *declared, inspect.getsource(STRAPPED.module)]
     written = set().union(*map(names_in, texts))
     x = sp.Symbol("x")

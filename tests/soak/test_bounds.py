@@ -9,7 +9,7 @@ from rockeom.compiler.machine import OutOfBoundsError
 from rockeom.integrator import linking, program
 from tests.soak import bounds
 
-FAULT = "rockeom.integrator.transitions.candidates"
+FAULT = "rockeom.integrator.transitions.points_in_plane"
 
 
 @pytest.mark.parametrize("name", ["nondimensional_block", "stacked_blocks", "sliding_block"])
@@ -32,7 +32,7 @@ def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
         upper=rk.RigidBlock(half_width=0.3, half_height=0.6),
     )
     motion = rk.GroundMotion.single_sine(5.0, 0.5)
-    said = f"candidates.py, line {line}: index 224 is out of bounds for an axis of size 224"
+    said = f"points_in_plane.py, line {line}: index 224 is out of bounds for an axis of size 224"
     try:
         with bounds.checked(), pytest.raises(OutOfBoundsError, match=said):
             rk.simulate(stack, motion)

@@ -26,6 +26,9 @@ from rockeom.compiler.decorators import inlined, rolled, unrolled
 from rockeom.integrator.ground import shaking_at
 from rockeom.integrator.provided import (
     AXES,
+    DIRECTIONS,
+    EXTRA_CANDIDATES,
+    FIRST_FITS,
     MOST_FITTING,
     N_CANDIDATES,
     N_ELEMENTS,
@@ -33,7 +36,6 @@ from rockeom.integrator.provided import (
     N_PARTS,
     N_POINTS,
     N_STATES,
-    N_USUAL_CANDIDATES,
     ROTATION,
     STILL,
     candidate_of,
@@ -122,8 +124,8 @@ def guard_noise(mode, index, y, p, shaking, h, b, stride):
     contact_data(y, p, mode, contact)
     without_forces(y, p, shaking, mode, contact, wanted, sizes)
     if kind == LANDING:
-        _, size = rate_of(contact, AXES * point, y, 0)
-        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[AXES * point]
+        _, size = rate_of(contact, DIRECTIONS * point, y, 0)
+        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[DIRECTIONS * point]
         return GRAIN * size + push * h * h
     largest = 0.0
     for i in range(guards_in(mode)):
@@ -138,12 +140,13 @@ def freedom_of(point, mode, contact):
 
     Square root of J M^-1 J' of the difference of their rows, over that of the point alone.
     """
-    alone = COUPLING + AXES * point * (ROWS + 1)
+    alone = COUPLING + DIRECTIONS * point * (ROWS + 1)
     least = contact[alone]
     for i in range(N_POINTS):
         if point_state(mode, i) != OPEN:
-            between_ = contact[COUPLING + AXES * point * ROWS + AXES * i]
-            apart = contact[alone] - 2.0 * between_ + contact[COUPLING + AXES * i * (ROWS + 1)]
+            between_ = contact[COUPLING + DIRECTIONS * point * ROWS + DIRECTIONS * i]
+            other = contact[COUPLING + DIRECTIONS * i * (ROWS + 1)]
+            apart = contact[alone] - 2.0 * between_ + other
             least = min(least, max(apart, 0.0))
     return math.sqrt(least / contact[alone])
 
@@ -156,15 +159,14 @@ def fitting_states(
     They fit by `tolerance`, and what they change of the velocities, or accelerations, differs by no
     more than `alike`, squared in the measure of the mass: the best, which has the largest margin,
     is AMBIGUOUS if it does, and IMPOSSIBLE if none fits. left_out : a mode that is none of them, or
-    -1. extra : whether candidates are those that follow only where no other one fits. fitting : on
-    return its first `several` numbers are the modes that fit.
+    -1. extra : 0, or which candidates they are that follow only where none with a lower number
+    fits. fitting : on return its first `several` numbers are the modes that fit.
     """
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
-    first_number = N_USUAL_CANDIDATES if extra else 0
-    for number in range(first_number, N_CANDIDATES if extra else N_USUAL_CANDIDATES):
-        candidate = candidate_of(number, mode, near, sliding, wanted, contact, impulse)
+    for number in range(N_CANDIDATES):
+        candidate = candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse)
         if candidate < 0 or candidate == left_out:
             continue
         margin = margin_of(
@@ -177,8 +179,11 @@ def fitting_states(
             if several == 0:
                 first[i] = this[i]
             apart[i] = this[i] - first[i]
-        if several > 0 and squared(contact, apart) > alike:
+        differs = several > 0 and squared(contact, apart) > alike
+        if differs and not FIRST_FITS:
             return AMBIGUOUS, several
+        if differs:
+            continue
         if several < MOST_FITTING:
             fitting[several] = candidate
             several += 1
@@ -204,7 +209,7 @@ def sizes_of(whole, contact, sizes):
     for r in range(ROWS):
         sizes[r] = math.sqrt(contact[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
     for i in range(N_POINTS):
-        freely = contact[COUPLING + AXES * i * (ROWS + 1)]
+        freely = contact[COUPLING + DIRECTIONS * i * (ROWS + 1)]
         sizes[ROWS + i] = math.sqrt(whole / freely) + LEAST_SIZE
 
 
@@ -214,7 +219,7 @@ def radius_of(contact, point):
     It is that of a rotation with all other coordinates held; 1 where nothing turns.
     """
     inertia = contact[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    return math.sqrt(inertia * contact[COUPLING + AXES * point * (ROWS + 1)])
+    return math.sqrt(inertia * contact[COUPLING + DIRECTIONS * point * (ROWS + 1)])
 
 
 def squared(contact, x):
@@ -246,15 +251,15 @@ def collide(mode, near, slowest, contact, y):
     for r in range(ROWS):
         arriving, _ = rate_of(contact, r, y, n)
         wanted[r] = -arriving
-        point = int(r / AXES)
-        if AXES * point == r:
+        point = int(r / DIRECTIONS)
+        if DIRECTIONS * point == r:
             wanted[r] -= contact[LAWS + 2 * point] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
     follows = IMPOSSIBLE
-    for turn in range(1 if N_CANDIDATES == N_USUAL_CANDIDATES else 2):
+    for extra in range(EXTRA_CANDIDATES + 1):
         if follows == IMPOSSIBLE:
             follows, _ = fitting_states(
-                mode, -1, turn == 1, near, sliding, wanted, contact, sizes, FITS, alike, fitting
+                mode, -1, extra, near, sliding, wanted, contact, sizes, FITS, alike, fitting
             )  # fmt: skip
     if follows >= 0:
         impulse = np.empty(ROWS)
@@ -281,13 +286,14 @@ def closed_points(y, p, mode, contact, near, sliding):
     sizes_of(squared(contact, y[N_COORDINATES:]), contact, speeds)
     for i in range(N_POINTS):
         length = radius_of(contact, i)
-        _, size = rate_of(contact, AXES * i, y, 0)
+        _, size = rate_of(contact, DIRECTIONS * i, y, 0)
         closed = contact[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
-        least = max(GIVEN * speeds[AXES * i], NO_MOTION * math.sqrt(free[AXES * i] * length))
+        row = DIRECTIONS * i
+        least = max(GIVEN * speeds[row], NO_MOTION * math.sqrt(free[row] * length))
         rate = abs(contact[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
         slip, _ = slip_of(contact, i, y, N_COORDINATES)
-        row = AXES * i + 1
+        row += 1
         least = max(GIVEN * speeds[row], NO_MOTION * math.sqrt(free[row] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
@@ -323,7 +329,7 @@ def hardly_apart(contact):
     for i in range(N_POINTS):
         for j in range(i):
             apart = 0.0
-            of_this, of_that = row_of_point(AXES * i), row_of_point(AXES * j)
+            of_this, of_that = row_of_point(DIRECTIONS * i), row_of_point(DIRECTIONS * j)
             for m in range(N_COORDINATES):
                 lever, other = contact[of_this + m], contact[of_that + m]
                 difference = abs(lever - other)
@@ -361,8 +367,8 @@ def without_forces(y, p, shaking, mode, contact, wanted, sizes):
         moved += forces[i] * both[2 * i]
         quiet += at_rest[i] * both[2 * i + 1]
     for i in range(N_POINTS):
-        for m in range(AXES):
-            row = AXES * i + m
+        for m in range(DIRECTIONS):
+            row = DIRECTIONS * i + m
             wanted[row] = -along(contact, row, both, 0, 2) - contact[i * POINT + BIASES + m]
     whole = max(moved, quiet)
     sizes_of(whole, contact, sizes)
@@ -381,9 +387,10 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     shaking = shaking_at(ground, 0, 1)
     whole = without_forces(y, p, shaking, mode, contact, wanted, sizes)
     follows = IMPOSSIBLE
-    for turn in range(2 if N_CANDIDATES == N_USUAL_CANDIDATES else 4):
+    for turn in range(2 * (EXTRA_CANDIDATES + 1)):
         # the state after many steps is off by more than an event's time
-        extra, error = turn > 1, NEARLY if turn in (0, 2) else STEPS_ERROR * rtol
+        extra = turn // 2
+        error = NEARLY if turn == 2 * extra else STEPS_ERROR * rtol
         if follows != IMPOSSIBLE or error < NEARLY:
             continue
         alike = ALIKE * ALIKE * error * error * whole
@@ -466,11 +473,11 @@ def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
         touches = point_state(mode, i) != OPEN or (kind == LANDING and i == subject)
         if not touches and kind == LANDING:
             gap, rate = contact[i * POINT], contact[i * POINT + 1]
-            _, size = rate_of(contact, AXES * i, out, 0)
+            _, size = rate_of(contact, DIRECTIONS * i, out, 0)
             touches = rate <= 0.0 and gap <= NO_GAP_IN_STEP * h * abs(rate) + NO_GAP_OF_TERMS * size
         if touches:
             near[i] = 1
-            rows[AXES * i], wanted[AXES * i] = 1, -contact[i * POINT]
+            rows[DIRECTIONS * i], wanted[DIRECTIONS * i] = 1, -contact[i * POINT]
     put_on(rows, wanted, 0, contact, out)
     return meet(mode, guard, near, y, p, ground, rtol, contact, out)
 
@@ -524,16 +531,16 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
         if near[i] == 0:
             continue
         state = point_state(as_said, i)
-        rate, size = rate_of(contact, AXES * i, out, n)
-        leaves = rate > FITS * max(size, sizes[AXES * i])
+        rate, size = rate_of(contact, DIRECTIONS * i, out, n)
+        leaves = rate > FITS * max(size, sizes[DIRECTIONS * i])
         if leaves and (state == OPEN or contact[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
-        rows[AXES * i], wanted[AXES * i] = 1, -rate
+        rows[DIRECTIONS * i], wanted[DIRECTIONS * i] = 1, -rate
         if is_smooth(i):
             continue
         slip, size = slip_of(contact, i, out, n)
-        still = state == STICK or abs(slip) <= FITS * max(size, sizes[AXES * i + 1])
+        still = state == STICK or abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
         if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
             still = True
         if still:

@@ -123,7 +123,7 @@ def by_moreau(mode, near, whole, along, contact, sizes, rate, change):
         wanted[2 * i] = -rate[2 * i] - e * min(rate[2 * i], 0.0)
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
     follows, _ = fitting_states(
-        mode, -1, False, near, sliding, wanted, contact, sizes, FITS, SAME_VELOCITIES * whole,
+        mode, -1, 0, near, sliding, wanted, contact, sizes, FITS, SAME_VELOCITIES * whole,
         fitting,
     )  # fmt: skip
     if follows >= 0:

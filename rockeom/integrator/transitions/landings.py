@@ -13,7 +13,7 @@ from rockeom.compiler.decorators import inlined
 from rockeom.integrator.guards import guards_at
 from rockeom.integrator.provided import (
     ANGLES,
-    AXES,
+    DIRECTIONS,
     N_POINTS,
     N_STAGES,
     N_STATES,
@@ -66,7 +66,7 @@ def single_hop(mode, closed, y, p, dy):
         if kind_of(mode, i) != LANDING or not is_closed(closed, i):
             continue
         point = subject_of(mode, i)
-        rate, a = contact[point * POINT + 1], -acceleration_of(contact, AXES * point, dy)
+        rate, a = contact[point * POINT + 1], -acceleration_of(contact, DIRECTIONS * point, dy)
         # a hop must not be lost among the smallest numbers
         if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > LEAST_PRODUCT * a):
             return -1, np.inf
@@ -175,7 +175,7 @@ def to_landing(mode, guard, y, p, dy):
     if not rate < 0.0:
         return np.inf
     move = -g[guard] / rate
-    return move - 0.5 * acceleration_of(contact, AXES * point, dy) * move * move / rate
+    return move - 0.5 * acceleration_of(contact, DIRECTIONS * point, dy) * move * move / rate
 
 
 def is_rounding(mode, guard, y, p):

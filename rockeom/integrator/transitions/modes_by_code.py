@@ -20,8 +20,9 @@ from rockeom.generated.numeric_modes import digit_of, is_smooth_by
 from rockeom.integrator.provided import N_BOUNDS_OF_DECLARATION, N_GUARDS, N_POINTS, SMOOTH
 
 N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
-N_USUAL_CANDIDATES = 2 * 2**N_POINTS  # sets of points that touch, and whether some are idle
-N_CANDIDATES = N_USUAL_CANDIDATES * 2**N_POINTS  # and sets of those that are released
+N_CANDIDATES = 2 * 4**N_POINTS  # sets of points that touch, of released ones, and with idle ones
+EXTRA_CANDIDATES = 2 * N_POINTS  # by how many points are released, and whether those would pull
+FIRST_FITS = True  # of several candidates that move differently the first: more points closed
 MOST_FITTING = 64  # candidates that move alike
 
 

@@ -17,7 +17,9 @@ from rockeom.integrator.provided import (
     TARGETS,
 )
 
-N_MODES = N_CANDIDATES = N_USUAL_CANDIDATES = MOST_FITTING = len(SIDES)
+N_MODES = N_CANDIDATES = MOST_FITTING = len(SIDES)
+EXTRA_CANDIDATES = 0
+FIRST_FITS = False  # whether of several candidates that move differently the first one follows
 
 
 @inlined

@@ -10,7 +10,7 @@ import numpy as np
 from rockeom.codes import MOST_DIGITS
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.integrator.provided import (
-    AXES,
+    DIRECTIONS,
     N_GUARDS,
     N_PARTS,
     N_POINTS,
@@ -32,12 +32,12 @@ from rockeom.integrator.tolerances import (
 __fused__ = False
 
 N_COORDINATES = N_STATES // 2
-BIASES = 1 + AXES  # what `points` tells of each: gap, the rates of gap and slips, their biases, ...
-LEVERS = BIASES + AXES  # ... and the rows by which they follow from the velocities
-POINT = LEVERS + AXES * N_COORDINATES
+BIASES = 1 + DIRECTIONS  # behind the gap of a point and the rates of gap and slips: their biases
+LEVERS = BIASES + DIRECTIONS  # and the rows by which they follow from the velocities
+POINT = LEVERS + DIRECTIONS * N_COORDINATES
 N_MATRIX = N_COORDINATES * N_COORDINATES
 ROW = N_GUARDS + N_PARTS  # what `guards` fills
-ROWS = AXES * N_POINTS  # directions in which points are held: AXES * i is normal, others along
+ROWS = DIRECTIONS * N_POINTS  # in which points are held: DIRECTIONS * i is normal
 
 # Places in `contact` (CONTACT_SIZE,), the data of the points in a state: what `points` tells, the
 # laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
@@ -193,9 +193,9 @@ def contact_data(y, p, mode, contact):
     free_motion(y, p, *STILL, mode, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
-            for axis in range(AXES):
+            for axis in range(DIRECTIONS):
                 lever = r * POINT + LEVERS + axis * n
-                spread[i * ROWS + AXES * r + axis] = contact[lever + i]
+                spread[i * ROWS + DIRECTIONS * r + axis] = contact[lever + i]
     through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
         for s in range(r, ROWS):
@@ -224,8 +224,8 @@ def exceeds(row, wanted, contact, impulse):
 @inlined
 def row_of_point(row):
     """Where the Jacobian of a row begins in what `points` tells."""
-    point = int(row / AXES)
-    return point * POINT + LEVERS + (row - AXES * point) * N_COORDINATES
+    point = int(row / DIRECTIONS)
+    return point * POINT + LEVERS + (row - DIRECTIONS * point) * N_COORDINATES
 
 
 def rate_of(contact, row, y, first):
@@ -241,16 +241,16 @@ def rate_of(contact, row, y, first):
 
 def slip_of(contact, point, y, first):
     """The slip of a point by y[first : first + n], in space its size, and the size of its terms."""
-    slip, size = rate_of(contact, AXES * point + 1, y, first)
-    if AXES == 3:
-        other, larger = rate_of(contact, AXES * point + 2, y, first)
+    slip, size = rate_of(contact, DIRECTIONS * point + 1, y, first)
+    if DIRECTIONS == 3:
+        other, larger = rate_of(contact, DIRECTIONS * point + 2, y, first)
         slip, size = math.sqrt(slip * slip + other * other), max(size, larger)
     return slip, size
 
 
 def hold_slip(contact, point, y, rows, wanted):
     """Let rows (ROWS,) hold a point along the ground, by the change of its velocity in `wanted`."""
-    for row in range(AXES * point + 1, AXES * point + AXES):
+    for row in range(DIRECTIONS * point + 1, DIRECTIONS * point + DIRECTIONS):
         slip, _ = rate_of(contact, row, y, N_COORDINATES)
         rows[row], wanted[row] = 1, -slip
 
@@ -259,7 +259,7 @@ def gap_rounding(contact, y):
     """The rounding error of a gap where other points are closed: by the largest terms of any."""
     largest = 0.0
     for i in range(N_POINTS):
-        _, size = rate_of(contact, AXES * i, y, 0)
+        _, size = rate_of(contact, DIRECTIONS * i, y, 0)
         largest = max(largest, size)
     return GRAIN * largest
 
@@ -268,8 +268,8 @@ def gap_rounding(contact, y):
 def acceleration_of(contact, row, dy):
     """The acceleration of a gap or a slip, from the rates (N,) of the state."""
     total, _ = rate_of(contact, row, dy, N_COORDINATES)
-    point = int(row / AXES)
-    return total + contact[point * POINT + BIASES + row - AXES * point]
+    point = int(row / DIRECTIONS)
+    return total + contact[point * POINT + BIASES + row - DIRECTIONS * point]
 
 
 @inlined

@@ -45,7 +45,7 @@ TIPPED = 2.0  # a block has come back from 1.7 times the angle at which its weig
 
 
 @inlined
-def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
+def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES."""
     if not may_follow(number, mode, near, sliding):
         return -1

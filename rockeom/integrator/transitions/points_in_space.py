@@ -18,7 +18,7 @@ from rockeom.generated.numeric_modes import (
 )
 from rockeom.integrator.provided import (
     ANGLES,
-    AXES,
+    DIRECTIONS,
     N_POINTS,
     N_STATES,
     SMOOTH,
@@ -41,15 +41,16 @@ def is_smooth(point):
 
 
 @rolled
-def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
+def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
 
     The number says whether points that would bear nothing are idle, which points touch, all of them
-    first, since of modes that move alike the one that keeps more points closed follows, and which
-    of these are released: points that would pull if they stuck. One that slips is so already.
+    first, since the mode that keeps more points closed follows, and which of these are released.
+    extra : twice the number of these, less one where only points are that would pull if they stuck.
+    A point that slips is released already.
     """
     left, share = int(number * 0.5), np.empty(ROWS)
-    candidate, freed, released = 0, 0, int(left / SETS_OF_POINTS)
+    candidate, freed, more, released = 0, 0, 0, int(left / SETS_OF_POINTS)
     for i in range(N_POINTS):
         half, rest = int(left * 0.5), int(released * 0.5)
         touches, frees = left - 2 * half == 0, released - 2 * rest == 1
@@ -58,12 +59,14 @@ def candidate_of(number, mode, near, sliding, wanted, contact, impulse):
             return -1
         if touches:
             candidate += (RELEASED if slips else BEARS) * PLACE_VALUES[i]
-            freed += (RELEASED - BEARS) * PLACE_VALUES[i] if frees else 0
+        if frees:
+            freed, more = freed + (RELEASED - BEARS) * PLACE_VALUES[i], more + 1
         left, released = half, rest
-    if freed > 0:
-        if not would_pull(candidate, candidate + freed, wanted, contact, share):
-            return -1
-        candidate += freed
+    if extra != 2 * more and extra != 2 * more - 1:
+        return -1
+    if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
+        return -1
+    candidate += freed
     for _ in range(3 * N_POINTS):
         which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
         if which >= 0:
@@ -82,11 +85,11 @@ def would_pull(sticks, candidate, wanted, contact, share):
     shares_in(sticks, wanted, contact, share)
     largest = 0.0
     for i in range(N_POINTS):
-        largest = max(largest, abs(share[AXES * i]))
+        largest = max(largest, abs(share[DIRECTIONS * i]))
     pulls = True
     for i in range(N_POINTS):
         released = digit_of(candidate, i) != digit_of(sticks, i)
-        pulls = pulls and not (released and share[AXES * i] > NEARLY * largest)
+        pulls = pulls and not (released and share[DIRECTIONS * i] > NEARLY * largest)
     return pulls
 
 
@@ -99,10 +102,10 @@ def wrongly_loaded(candidate, tolerance, wanted, contact, share):
     shares_in(candidate, wanted, contact, share)
     spare, largest = has_spare_point(candidate, contact), 0.0
     for i in range(N_POINTS):
-        largest = max(largest, abs(share[AXES * i]))
+        largest = max(largest, abs(share[DIRECTIONS * i]))
     most, which = NEARLY * largest, -1
     for i in range(N_POINTS):
-        digit, force = digit_of(candidate, i), share[AXES * i]
+        digit, force = digit_of(candidate, i), share[DIRECTIONS * i]
         wrong = 0.0
         if digit == IDLES:
             wrong = force
@@ -128,7 +131,7 @@ def impulses_of(candidate, wanted, contact, impulse):
     shares_in(candidate, wanted, contact, impulse)
     for i in range(N_POINTS):
         if digit_of(candidate, i) == IDLES:
-            impulse[AXES * i] = 0.0
+            impulse[DIRECTIONS * i] = 0.0
 
 
 @rolled
@@ -159,7 +162,7 @@ def has_spare_point(candidate, contact):
     row, bearing = np.empty(N_POINTS, np.int64), 0
     for i in range(N_POINTS):
         if digit_of(candidate, i) in (BEARS, RELEASED):
-            row[bearing] = AXES * i
+            row[bearing] = DIRECTIONS * i
             bearing += 1
     width = bearing + 1
     for r in range(bearing):
@@ -180,7 +183,7 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
-        digit, normal = digit_of(candidate, i), AXES * i
+        digit, normal = digit_of(candidate, i), DIRECTIONS * i
         if digit in (OPEN, IDLES):
             leaves = exceeds(normal, wanted, contact, impulse) / sizes[normal]
             least = min(least, leaves if digit == OPEN else -abs(leaves))

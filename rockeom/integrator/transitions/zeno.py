@@ -8,7 +8,7 @@ import numpy as np
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import Floats, Ints
 from rockeom.integrator.provided import (
-    AXES,
+    DIRECTIONS,
     N_POINTS,
     N_STATES,
     SIGN_OF,
@@ -288,9 +288,9 @@ def mode_after_flight(state, flight, rtol, contact, bounces, out):
 def hop_of(point, mode, y, contact, dy):
     """The flight of a point that begins in a state. dy (N,) : rates of the state."""
     gap, rate = contact[point * POINT], contact[point * POINT + 1]
-    _, size = rate_of(contact, AXES * point, y, 0)
+    _, size = rate_of(contact, DIRECTIONS * point, y, 0)
     radius = radius_of(contact, point)
-    a = -acceleration_of(contact, AXES * point, dy)
+    a = -acceleration_of(contact, DIRECTIONS * point, dy)
     if point_state(mode, point) != OPEN or gap > GRAIN * size:
         return Hop(0.0, a, radius, False)
     height = 0.5 * rate * rate
@@ -325,10 +325,10 @@ def slow_bounces(state, tolerance, contact, dy, bouncing):
     most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            limit = min(limit, most * math.sqrt(radius_of(contact, i) / sizes[AXES * i]))
+            limit = min(limit, most * math.sqrt(radius_of(contact, i) / sizes[DIRECTIONS * i]))
     for i in range(N_POINTS):
-        a, rate = -acceleration_of(contact, AXES * i, dy), contact[i * POINT + 1]
-        fastest = limit * sizes[AXES * i]
+        a, rate = -acceleration_of(contact, DIRECTIONS * i, dy), contact[i * POINT + 1]
+        fastest = limit * sizes[DIRECTIONS * i]
         if bouncing[i] == 1 and (rate < -fastest or (a <= 0.0 and rate > fastest)):
             return start, 0.0, any_is_lost  # it lands at once, or leaves for good
     return start, limit, any_is_lost
@@ -342,7 +342,7 @@ def beside_bounces(mode, limit, contact, dy, bounces):
     for i in range(N_POINTS):
         gap, rate = contact[i * POINT], contact[i * POINT + 1]
         if point_state(mode, i) == OPEN and bounces.points[i] == 0:
-            a = -acceleration_of(contact, AXES * i, dy)
+            a = -acceleration_of(contact, DIRECTIONS * i, dy)
             slow = a > 0.0 and -rate <= FAST * limit * a
             if slow and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bounces.points[i], bounces.heights[i] = 1, gap
@@ -366,8 +366,8 @@ def next_landing(mode, bounces, w, contact, dy):
     for i in range(N_POINTS):
         if bounces.points[i] == 0 or point_state(mode, i) != OPEN:
             continue
-        height, a = bounces.heights[i], -acceleration_of(contact, AXES * i, dy)
-        rate, size = rate_of(contact, AXES * i, w, N_COORDINATES)
+        height, a = bounces.heights[i], -acceleration_of(contact, DIRECTIONS * i, dy)
+        rate, size = rate_of(contact, DIRECTIONS * i, w, N_COORDINATES)
         if height == 0.0 and -FITS * size <= rate < 0.0:
             rate = 0.0  # it would land again and again, and nothing would change
         square = rate * rate + 2.0 * a * height
@@ -389,8 +389,8 @@ def next_stop(mode, w, contact, dy):
             continue
         point = subject_of(mode, i)
         sign = SIGN_OF[point_state(mode, point)]
-        slip, _ = rate_of(contact, AXES * point + 1, w, N_COORDINATES)
-        slows = -sign * acceleration_of(contact, AXES * point + 1, dy)
+        slip, _ = rate_of(contact, DIRECTIONS * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(contact, DIRECTIONS * point + 1, dy)
         lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
         if lasts < time:
             time, guard = lasts, i
@@ -408,7 +408,7 @@ def landing_of(mode, point):
 
 def speed_of(point, heights, contact, dy):
     """The rate at which a point lands that bounces."""
-    rate, a = contact[point * POINT + 1], -acceleration_of(contact, AXES * point, dy)
+    rate, a = contact[point * POINT + 1], -acceleration_of(contact, DIRECTIONS * point, dy)
     return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
 
 
@@ -418,7 +418,7 @@ def have_ended(mode, bounces, start, contact, w, dy):
     for i in range(N_POINTS):
         if bounces.points[i] == 1 and point_state(mode, i) == OPEN:
             fastest = max(fastest, speed_of(i, bounces.heights, contact, dy))
-        _, speed = rate_of(contact, AXES * i, w, N_COORDINATES)
+        _, speed = rate_of(contact, DIRECTIONS * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(ENDED * start, ENDED_OF_ALL * whole)
 
@@ -454,7 +454,7 @@ def fly(mode, flight, contact, dy, bounces, w):
         near[i] = 1 if point_state(mode, i) != OPEN else 0
         if bounces.points[i] == 1 and near[i] == 0:
             rise = contact[i * POINT + 1] * time
-            drop = -0.5 * acceleration_of(contact, AXES * i, dy) * time * time
+            drop = -0.5 * acceleration_of(contact, DIRECTIONS * i, dy) * time * time
             heights[i] += rise - drop
             if i == flight.point or heights[i] <= NO_DROP * drop:
                 heights[i], near[i] = 0.0, 1
@@ -496,7 +496,7 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
         closed = lost or bounces.points[i] == 1 or point_state(here, i) != OPEN
         near[i] = 1 if closed else 0
         if closed:
-            rows[AXES * i], wanted[AXES * i] = 1, -contact[i * POINT]
+            rows[DIRECTIONS * i], wanted[DIRECTIONS * i] = 1, -contact[i * POINT]
     put_on(rows, wanted, 0, contact, out)
     points(out, p, contact)
     rounding = gap_rounding(contact, out)
@@ -506,7 +506,7 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
-        wanted[AXES * i] = -contact[i * POINT + 1]
+        wanted[DIRECTIONS * i] = -contact[i * POINT + 1]
         if point_state(here, i) == STICK:
             hold_slip(contact, i, out, rows, wanted)
     close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out)
@@ -529,16 +529,16 @@ def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, s
             continue
         slip, size = slip_of(contact, i, out, n)
         friction = contact[LAWS + 2 * i + 1]
-        slows = min(friction, 1.0) * sizes[AXES * i] if friction < NEVER_SLIPS else 0.0
+        slows = min(friction, 1.0) * sizes[DIRECTIONS * i] if friction < NEVER_SLIPS else 0.0
         sliding[i] = 1.0 if slip > 0.0 else -1.0
         ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
     put_on(rows, wanted, n, contact, out)
     by_itself = 0.0
     for i in range(N_POINTS):
-        for axis in range(AXES):
-            wanted[AXES * i + axis] = 0.0
+        for axis in range(DIRECTIONS):
+            wanted[DIRECTIONS * i + axis] = 0.0
         if ends[i] == 1:
-            row = AXES * i + 1
+            row = DIRECTIONS * i + 1
             slip, size = slip_of(contact, i, out, n)
             hold_slip(contact, i, out, rows, wanted)
             least = max(abs(slip), FITS * size)
@@ -571,7 +571,7 @@ def step_over(state, tolerance, longest, fits, rtol, contact, out):
     whole = without_forces(y, p, state.shaking, mode, contact, wanted, sizes)
     time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
-        time = min(time, math.sqrt(radius_of(contact, i) / sizes[AXES * i]))
+        time = min(time, math.sqrt(radius_of(contact, i) / sizes[DIRECTIONS * i]))
     time = min(tolerance * time, longest)
     for _ in range(SHORTER):
         if not taken < np.inf:
@@ -599,12 +599,12 @@ def step_of_moreau(state, time, whole, sizes, fits, rtol, contact, out):
     alike = np.inf
     for i in range(N_POINTS):
         gap, rate = contact[i * POINT], contact[i * POINT + 1]
-        falls, _ = rate_of(contact, AXES * i, w, n)
-        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[AXES * i]
-        _, size = rate_of(contact, AXES * i, y, 0)
+        falls, _ = rate_of(contact, DIRECTIONS * i, w, n)
+        least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[DIRECTIONS * i]
+        _, size = rate_of(contact, DIRECTIONS * i, y, 0)
         near[i] = 1 if point_state(mode, i) != OPEN or least <= GRAIN * size else 0
         if near[i] == 1:
-            alike = min(alike, time * time * sizes[ROWS + i] * sizes[AXES * i])
+            alike = min(alike, time * time * sizes[ROWS + i] * sizes[DIRECTIONS * i])
         contact[LAWS + 2 * i] = 0.0  # restitution
     as_said = collide(mode, near, alike, contact, w)
     if as_said < 0:
