@@ -81,7 +81,7 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> G
         started = time.monotonic()
         of = model()
         modes = len(of.hybrid.mode_names)
-        if modes > MANY_MODES:
+        if modes > MANY_MODES and not of.hybrid.is_by_code:
             say(f"deriving {of.name} with {modes} modes")
         encoded = module_text(of).encode()
         announce(f"derived {of.name}", started)

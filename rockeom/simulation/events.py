@@ -11,12 +11,14 @@ import numpy as np
 
 from rockeom.codes import (
     ENERGY_ROUNDING,
+    FRICTIONLESS,
     IDLE_POINT,
     IMPACT,
     KIND_OF,
     LANDING,
     LIFTING,
     REST,
+    STICK,
 )
 from rockeom.integrator.schema import (
     GeneratedModule,
@@ -39,8 +41,9 @@ KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 BREAK = "break"
 """Word for the switch in which a tie breaks."""
 
-IDLE, BEARS_AGAIN = "idle", "bears again"
-"""Words for a point in space that ceases to bear while others keep it closed, and its return."""
+IDLE, BEARS_AGAIN, RELEASE = "idle", "bears again", "released"
+"""Words for a point in space that ceases to bear while others keep it closed, and its return; and
+for one that never slips and is let loose."""
 
 MEASURABLE = 1e-3
 """Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -57,7 +60,8 @@ class Event:
     kind : str
         "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
         infinitely many impacts); "break" of a tie. Where contacts may open and slide: "landing",
-        "lifting", "slip begins", "slip ends"; in space "idle" and "bears again". "bound", where a
+        "lifting", "slip begins", "slip ends"; in space "idle", "bears again"
+        and "released". "bound", where a
         declaration holds no further, or a body in space has overturned by its tilt.
     mode_before : str
         Name of the mode before.
@@ -202,6 +206,8 @@ def _word(module: GeneratedModule, kind: int, before: int, after: int, guard: in
             return IDLE
         if module.POINT_STATES[before][point] == IDLE_POINT:
             return BEARS_AGAIN
+        if module.POINT_STATES[before][point] == STICK:
+            return RELEASE if module.POINT_STATES[after][point] == FRICTIONLESS else KINDS[kind]
     return KINDS[kind]
 
 

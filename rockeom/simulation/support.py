@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -103,8 +104,11 @@ class Support:
         """Largest ``|horizontal|/vertical`` force that not sliding needed, within the steps too.
 
         The vertical force is that on both feet together. inf where there was none, but a horizontal
-        one: then no friction suffices. NaN without feet. Impulses are in `impact_friction_demand`.
+        one: then no friction suffices. NaN without feet. In space it is that of all feet that never
+        slip together; single ones may need more. Impulses are in `impact_friction_demand`.
         """
+        if is_by_code(self._structure.module):
+            return self._demand_in_space()
         across = getattr(self._structure.module, "HELD_ACROSS", False)
         if self._sliding_points and (self._extremes is None or across):
             return self._demand_of(self._sliding_points)  # without what ties and pushes take
@@ -178,6 +182,24 @@ class Support:
         across, pressing = extremes(steps, forces, self._until)
         return least_coefficient(steps, forces, across, pressing, self._until, True)
 
+    def _demand_in_space(self) -> float:
+        """The same of the sums of forces over the points that never slip."""
+        module: Any = self._structure.module
+        names = [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
+        if not names:
+            return math.nan
+        columns = self._quantities.columns(
+            [f"{name}_{of}" for of in ("friction_x", "friction_y", "reaction") for name in names]
+        )
+
+        def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+            along_x, along_y, up = columns(t, y, mode).reshape(len(t), 3, -1).sum(axis=2).T
+            return np.column_stack([np.hypot(along_x, along_y), up])
+
+        steps = self._quantities.steps("friction_demand")
+        across, pressing = extremes(steps, forces, self._until)
+        return least_coefficient(steps, forces, across, pressing, self._until, True)
+
     # -- contact
 
     @cached_property
@@ -223,10 +245,10 @@ class Support:
                 "Only samples were kept: the forces that friction and contact had to bear, which "
                 "are found within the steps, are not known."
             )
+        if is_by_code(self._structure.module):
+            return self._describe_in_space()
         if self._sliding_points:
             return self._describe_sliding()
-        if is_by_code(self._structure.module):
-            return "Its feet have no friction: the ground moves under them."
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:
@@ -251,6 +273,19 @@ class Support:
             for surface, pair in demands.items()
         ]
         return f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
+
+    def _describe_in_space(self) -> str:
+        if math.isnan(self.friction_demand):
+            return "Its feet have no friction: the ground moves under them."
+        together = " That is of all feet together: a single foot may need more."
+        names, kinds = self._structure.module.MODES, self._events.columns.kinds
+        freed = [
+            names[after].count("_released") - names[before].count("_released")
+            for _, before, after, _ in kinds
+        ]
+        released = sum(number > 0 for number in freed)
+        jams = f" {released} times feet that jammed were released, and slid." if released else ""
+        return self._describe_friction() + together + jams
 
     def _describe_friction(self) -> str:
         forces, impulses = self.friction_demand, self.impact_friction_demand

@@ -24,7 +24,7 @@ import sympy as sp
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.contacts import Contact, Rigid
-from rockeom.symbolic.model import Body, Point, Tilt
+from rockeom.symbolic.model import Body, Coordinate, Point, Tilt
 
 _ORIGIN = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
 
@@ -267,7 +267,7 @@ def feet(at: Frame, places: Mapping[str, Point], law: Rigid) -> tuple[Contact, .
 
 
 @explained.calls()
-def tilt(at: Frame, angle: sp.Expr, name: str = "tilt") -> dict[Tilt, sp.Expr]:
+def tilt(at: Frame, angle: sp.Expr, name: str = "tilt") -> dict[Coordinate | Tilt, sp.Expr]:
     """Overturning of a body by the angle of its axis, z of its frame, from the vertical.
 
     Parameters

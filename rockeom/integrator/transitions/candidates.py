@@ -389,7 +389,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     follows = IMPOSSIBLE
     for turn in range(2 * (EXTRA_CANDIDATES + 1)):
         # the state after many steps is off by more than an event's time
-        extra = turn // 2
+        extra = int(turn / 2)
         error = NEARLY if turn == 2 * extra else STEPS_ERROR * rtol
         if follows != IMPOSSIBLE or error < NEARLY:
             continue
@@ -398,7 +398,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
             mode, -1, extra, near, sliding, wanted, contact, sizes, error, alike, fitting,
         )  # fmt: skip
         decided = several <= 1 and not (ends and follows == mode)
-        if ends and follows == AMBIGUOUS:
+        if ends and (follows == AMBIGUOUS or (FIRST_FITS and follows == mode)):
             # the mode that has come to its end and another one move apart: only one of them lasts
             fitting[0] = mode
             follows = best_later(mode, ends, near, sliding, sizes, fitting, 1, y, p, ground)

@@ -1,0 +1,274 @@
+"""`Prism` and `LeggedStatue`: bodies on feet in space, which rock over edges and corners."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, ClassVar
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.modelling.declared import module_of
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import InputError
+from rockeom.numbers.dual import value_of
+from rockeom.structures.declared import StructureWithFields
+
+Place = tuple[float, float]
+
+
+class _StandingBody(StructureWithFields):
+    """A rigid body on feet in one plane; see `Prism` and `LeggedStatue`."""
+
+    may_vanish = frozenset({"restitution", "friction"})
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module of these feet."""
+        return module_of(self.model, **self.derivation)
+
+
+def _slips(kind: str, friction: float | None, restitution: float) -> str:
+    """The word for how feet slip; raises InputError for numbers out of their ranges."""
+    if friction is not None and friction != 0:
+        raise InputError("friction", friction, kind).give(
+            "None, for feet that never slip, or 0: friction between both is not modelled yet"
+        )
+    if not 0 <= value_of(restitution) <= 1:
+        raise InputError("restitution", restitution, kind).give("a ratio of rates, 0 to 1")
+    return "never" if friction is None else "freely"
+
+
+def _check_base(kind: str, places: np.ndarray) -> None:
+    """Raise InputError for feet (n, 2) that do not support the centroid, at the origin."""
+    if len(places) < 3:
+        raise InputError("feet", of=kind).wrong(f"are {len(places)}: give three or more")
+    try:
+        hull = ConvexHull(places)
+    except QhullError:
+        raise InputError("feet", of=kind).wrong(
+            "stand in one line: give one that stands apart"
+        ) from None
+    if (hull.equations[:, -1] >= 0.0).any():
+        raise InputError("centroid", of=kind).wrong(
+            "is not above the area between the feet, or it falls by itself: move the centroid, or "
+            "the feet"
+        )
+
+
+class Prism(_StandingBody):
+    """Rectangular block in space, which rocks over its edges and corners.
+
+    The states are the place x, y, z of the centroid relative to the ground [m], x and y the two
+    horizontal directions and z upwards, its yaw, pitch and roll [rad], and their rates. The corners
+    of its base are `south_west`, `south_east`, `north_east` and `north_west`, east along x and
+    north along y.
+
+    Parameters
+    ----------
+    width : float
+        Length along x [m].
+    depth : float
+        Length along y [m].
+    height : float
+        Height [m].
+    mass : float
+        Mass [kg].
+    friction : float, optional
+        None for corners that never slip, or 0 for smooth ones.
+    restitution : float, optional
+        Ratio of the rates of a corner's gap after and before it lands alone, 0 to 1.
+    offset_x : float, optional
+        Place of the centroid along x, from the middle of the base [m].
+    offset_y : float, optional
+        The same along y [m].
+    centroid_height : float, optional
+        Height of the centroid above the base [m]; half of the height if not given.
+    inertia_xx : float, optional
+        Moment of inertia about the axis along x through the centroid [kg m2]; that of a homogeneous
+        block if not given.
+    inertia_yy : float, optional
+        The same about the axis along y [kg m2].
+    inertia_zz : float, optional
+        The same about the axis along z [kg m2].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, a centroid that is not above the base, and moments that no
+        masses have.
+
+    Notes
+    -----
+    A corner that never slips is released where it would jam: where no forces fit that press, it
+    bears without friction until it opens or lands again. Where several sets of corners fit an
+    impact, the one with more corners closed follows, which loses more energy.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> statue = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)  # m, kg
+    >>> run = rk.simulate(statue, rk.GroundMotion.none(2.0), initial={"pitch": 0.05, "roll": 0.02})
+    >>> run.outcome.value
+    'completed'
+    """
+
+    model: ClassVar[str] = "prism"
+    may_vanish = frozenset({"restitution", "friction", "offset_x", "offset_y"})
+    may_be_negative = frozenset({"offset_x", "offset_y"})
+    width: float
+    depth: float
+    height: float
+    mass: float
+    friction: float | None = None
+    restitution: float = 0.0
+    offset_x: float = 0.0
+    offset_y: float = 0.0
+    centroid_height: float | None = None
+    inertia_xx: float | None = None
+    inertia_yy: float | None = None
+    inertia_zz: float | None = None
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        values, b, c = self.parameters(), self.width / 2, self.depth / 2
+        moments = [values[f"inertia_{axis}{axis}"] for axis in "xyz"]
+        _check_tensor("Prism", np.diag(value_of(np.array(moments))))
+        corners = [(i * b - self.offset_x, j * c - self.offset_y) for i in (-1, 1) for j in (-1, 1)]
+        _check_base("Prism", value_of(np.array(corners)))
+        _slips("Prism", self.friction, self.restitution)
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return {"slips": _slips("Prism", self.friction, self.restitution)}
+
+    def parameters(self) -> dict[str, float]:
+        lengths = {"xx": self.width, "yy": self.depth, "zz": self.height}
+        squares = {axes: length * length for axes, length in lengths.items()}
+        whole = sum(squares.values())
+        values = {f"inertia_{axes}": self.mass * (whole - x) / 12 for axes, x in squares.items()}
+        values |= {name: getattr(self, name) for name in values if getattr(self, name) is not None}
+        names = ("mass", "width", "depth", "offset_x", "offset_y", "restitution", "gravity")
+        height = self.height / 2 if self.centroid_height is None else self.centroid_height
+        return values | {name: getattr(self, name) for name in names} | {"centroid_height": height}
+
+
+class LeggedStatue(_StandingBody):
+    """Rigid body of any shape on three feet or more, up to eight, in space.
+
+    The states are those of `Prism`.
+
+    Parameters
+    ----------
+    feet : dict of str to tuple of (float, float)
+        Place of each foot along x and y [m], by its name.
+    centroid : tuple of (float, float, float)
+        Place of the centroid [m], in the same axes, z above the feet.
+    mass : float
+        Mass [kg].
+    inertia : array_like
+        Inertia tensor (3, 3) about the centroid along these axes [kg m2].
+    friction : float, optional
+        None for feet that never slip, or 0 for smooth ones.
+    restitution : float, optional
+        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, fewer than three feet, feet in one line, a centroid that is
+        not above the area between them, and a tensor that no masses have.
+
+    Notes
+    -----
+    More than three feet share the load as equal springs under the body. One that would pull is
+    idle. See `Prism` for feet that never slip.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import rockeom as rk
+    >>> tripod = rk.LeggedStatue(
+    ...     feet={"front": (0.02, 0.26), "left": (-0.24, -0.13), "right": (0.22, -0.11)},
+    ...     centroid=(0.0, 0.0, 0.6), mass=300.0, inertia=np.diag([50.0, 45.0, 12.0]),
+    ... )  # m, kg, kg m2
+    >>> {name: round(force) for name, force in tripod.reactions({}).items() if "reaction" in name}
+    {'horizontal_reaction': 0, 'transverse_reaction': 0, 'vertical_reaction': 2942, ...}
+    """
+
+    model: ClassVar[str] = "legged_statue"
+    not_numbers = frozenset({"feet", "centroid", "inertia"})
+    feet: Any
+    centroid: tuple[float, float, float]
+    mass: float
+    inertia: Any
+    friction: float | None = None
+    restitution: float = 0.0
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        try:
+            feet = dict(self.feet)
+        except (TypeError, ValueError):
+            raise InputError("feet", self.feet, "LeggedStatue").give(
+                "a mapping of names to places, {'front': (x, y), ...}"
+            ) from None
+        for name, place in feet.items():
+            _check_numbers("LeggedStatue", f"foot {name!r}", place, 2)
+        _check_numbers("LeggedStatue", "centroid", self.centroid, 3)
+        _check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
+        rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
+        object.__setattr__(self, "inertia", rows)
+        object.__setattr__(self, "feet", tuple((name, tuple(at)) for name, at in feet.items()))
+        _check_base("LeggedStatue", value_of(np.array([at for _, at in self._arms])))
+        _slips("LeggedStatue", self.friction, self.restitution)
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        slips = _slips("LeggedStatue", self.friction, self.restitution)
+        return {"feet": tuple(name for name, _ in self.feet), "slips": slips}
+
+    @property
+    def _arms(self) -> list[tuple[str, Place]]:
+        """Places of the feet from the centroid, seen from above."""
+        x, y, _ = self.centroid
+        return [(foot, (at[0] - x, at[1] - y)) for foot, at in self.feet]
+
+    def parameters(self) -> dict[str, float]:
+        rows = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("xz", 0, 2), ("yz", 1, 2))
+        values = {f"inertia_{axes}": self.inertia[i][j] for axes, i, j in rows}
+        for foot, (x, y) in self._arms:
+            values |= {f"{foot}_x": x, f"{foot}_y": y}
+        values |= {name: getattr(self, name) for name in ("mass", "restitution", "gravity")}
+        return values | {"centroid_height": self.centroid[2]}
+
+
+def _check_numbers(kind: str, name: str, values: Any, length: int) -> None:
+    """Raise InputError for anything but so many finite numbers."""
+    try:
+        numbers = value_of(np.array(values)).astype(float)
+    except (TypeError, ValueError):
+        numbers = np.empty(0)
+    if numbers.shape != (length,) or not np.isfinite(numbers).all():
+        raise InputError(name, values, kind).give(f"{length} finite numbers")
+
+
+def _check_tensor(kind: str, tensor: np.ndarray) -> None:
+    """Raise InputError for a tensor that no masses have."""
+    if tensor.shape != (3, 3) or not np.isfinite(tensor.astype(float)).all():
+        raise InputError("inertia", tensor, kind).give("a tensor (3, 3) of finite numbers")
+    if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=0.0):
+        raise InputError("inertia", tensor, kind).wrong(
+            "is not symmetric: give its other half alike"
+        )
+    low, middle, high = np.linalg.eigvalsh(tensor.astype(float))
+    if not low > 0.0 or high > (low + middle) * (1.0 + 1e-9):
+        raise InputError("inertia", tensor, kind).wrong(
+            f"has the principal moments {low:.6g}, {middle:.6g} and {high:.6g}, which no masses "
+            "have: each is positive and at most the sum of the other two"
+        )

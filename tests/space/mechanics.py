@@ -1,0 +1,121 @@
+"""Newton's and Euler's laws for a body on feet, by which motions in space are checked.
+
+Nothing of the derivation enters: forces at the feet are taken from the response, the angular
+velocity from yaw, pitch and roll, and the rest is mechanics of one rigid body.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy.optimize import nnls
+
+import rockeom as rk
+from tests.space.bodies import spin, spin_rate
+
+CLOSE = 1e-7
+"""Relative to the weight, its moment or the momentum: what rounding and event times leave."""
+
+
+class Body:
+    """The body of a `Prism` or `LeggedStatue` in a state: place, axes and spin."""
+
+    def __init__(self, structure: rk.Prism | rk.LeggedStatue, state: dict[str, float]) -> None:
+        values = structure.parameters()
+        self.mass, self.gravity = values["mass"], values["gravity"]
+        tensor = np.diag([values[f"inertia_{axes}"] for axes in ("xx", "yy", "zz")])
+        for axes, i, j in (("xy", 0, 1), ("xz", 0, 2), ("yz", 1, 2)):
+            tensor[i, j] = tensor[j, i] = values.get(f"inertia_{axes}", 0.0)
+        places = structure.positions(state, mode="flight")
+        self.arms = {name: places[name] - places["body"] for name in structure.module.POINTS}
+        axes = structure.rotations(state, mode="flight")["body"]
+        self.tensor, self.spin = axes @ tensor @ axes.T, spin(state)
+        self.velocity = np.array([state[f"{axis}_dot"] for axis in "xyz"])
+        self.length = max(np.linalg.norm(arm) for arm in self.arms.values())
+
+    @property
+    def momentum(self) -> np.ndarray:
+        """(6,) linear, and angular about the centroid."""
+        return np.concatenate([self.mass * self.velocity, self.tensor @ self.spin])
+
+    def wrench(self, foot: str) -> np.ndarray:
+        """(6, 3) force and moment of unit forces at a foot."""
+        x, y, z = self.arms[foot]
+        return np.vstack([np.eye(3), [[0, -z, y], [z, 0, -x], [-y, x, 0]]])
+
+    def velocity_of(self, foot: str) -> np.ndarray:
+        return self.velocity + np.cross(self.spin, self.arms[foot])
+
+
+def violations(run: rk.Response, smooth: bool, restitution: float) -> Iterator[str]:
+    """A line for each law that a motion violates."""
+    structure, feet = run.structure, run.structure.module.POINTS
+    weight = structure.parameters()["mass"] * structure.parameters()["gravity"]
+    if (error := run.energy_balance().error) > CLOSE:
+        yield f"energy is off by {error:.1e}"
+    for foot in feet:
+        lowest = run.extremes(f"{foot}_uplift").minimum
+        if lowest < -CLOSE * Body(structure, run.final).length:
+            yield f"{foot} is {lowest:.1e} m below the ground"
+        least = run.extremes(f"{foot}_reaction").minimum
+        if least < -CLOSE * weight:
+            yield f"{foot} pulls by {-least:.1e} N"
+    yield from _unbalanced(run, weight, smooth)
+    for impact in run.impacts:
+        yield from _wrong_impact(run, impact, smooth, restitution)
+
+
+def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
+    """Steps at whose start forces and accelerations are not those of Newton and Euler."""
+    structure = run.structure
+    rows = np.linspace(0, len(run.t) - 2, 40).astype(int)
+    for row in np.unique(rows):
+        t, mode = float(run.t[row]), str(run.mode[row])
+        state = dict(zip(run.states, run.y[row].tolist(), strict=True))
+        pushed = [float(motion.acceleration(t)) for motion in motions_of(run)]
+        ways = ("", "transverse_", "vertical_")
+        shaking = {f"{w}ground_acceleration": a for w, a in zip(ways, pushed, strict=True)}
+        moves = structure.accelerations(state, mode=mode, **shaking)
+        forces = structure.reactions(state, mode=mode, **shaking)
+        body, total = Body(structure, state), np.zeros(6)
+        for foot in body.arms:
+            along = [forces[f"{foot}_friction_{axis}"] for axis in "xy"]
+            total += body.wrench(foot) @ [*along, forces[f"{foot}_reaction"]]
+            if (smooth or foot not in mode) and np.any(along):
+                yield f"friction at {foot} at {t:.6g} s"
+        acceleration = np.array([moves[axis] for axis in "xyz"]) + pushed
+        acceleration[2] += body.gravity
+        gyroscopic = np.cross(body.spin, body.tensor @ body.spin)
+        turning = body.tensor @ spin_rate(state, moves) + gyroscopic
+        lacking = total - np.concatenate([body.mass * acceleration, turning])
+        size = weight * np.array([1.0] * 3 + [body.length] * 3)
+        if (np.abs(lacking) > CLOSE * size).any():
+            yield f"forces at {t:.6g} s in {mode} lack {lacking}"
+
+
+def motions_of(run: rk.Response) -> tuple[rk.GroundMotion, ...]:
+    none = rk.GroundMotion.none(run.duration)
+    return run.motion, run.transverse or none, run.vertical or none
+
+
+def _wrong_impact(run: rk.Response, impact, smooth: bool, restitution: float) -> Iterator[str]:
+    """Impulses of the feet that touch give the change of momentum, and gaps open as e has it."""
+    before, after = (Body(run.structure, s) for s in (impact.before, impact.after))
+    named = f"{impact.contact}+{impact.mode_before}+{impact.mode_after}"
+    touching = [foot for foot in before.arms if foot in named]
+    gained = after.momentum - before.momentum
+    scale = np.array([1.0] * 3 + [1 / before.length] * 3)
+    size = np.abs(before.momentum * scale).max() + 1e-300
+    columns = [before.wrench(foot)[:, 2:] for foot in touching]
+    if not smooth:
+        for foot in touching:
+            along = before.wrench(foot)[:, :2]
+            columns += [along, -along]
+    left = nnls(np.hstack(columns) * scale[:, None], gained * scale)[1] if columns else 1.0
+    if left > 1e-6 * size:
+        yield f"impulses at {impact.time:.6g} s lack {left / size:.1e} of the momentum"
+    fastest = max(abs(before.velocity_of(foot)[2]) for foot in before.arms)
+    met = [foot for foot in touching if foot in f"{impact.contact}+{impact.mode_after}"]
+    for foot in met:
+        arrives, leaves = before.velocity_of(foot)[2], after.velocity_of(foot)[2]
+        if leaves < -restitution * min(arrives, 0.0) - 1e-9 * fastest - 1e-12:
+            yield f"{foot} leaves at {leaves:.3g} m/s after {arrives:.3g} at {impact.time:.6g} s"
