@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 66_306, "tests": 50_696, "generated": 14_265, "/.": 316, "/analysis": 7_835,
-    "/assessment": 1_323, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_364, "/compiler": 2_164,
-    "/drawing": 1_477, "/exports": 1_768, "/generated": 208, "/integrator": 7_398,
-    "/modelling": 817, "/motion": 4_821, "/numbers": 1_011, "/plots": 1_174, "/simulation": 2_501,
-    "/structures": 4_033, "/sweeps": 2_076, "/symbolic": 8_921, "/teaching": 39,
+    "rockeom": 66_713, "tests": 51_118, "generated": 14_265, "/.": 322, "/analysis": 7_835,
+    "/assessment": 1_323, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_372, "/compiler": 2_165,
+    "/drawing": 1_477, "/exports": 1_769, "/generated": 229, "/integrator": 7_481,
+    "/modelling": 951, "/motion": 4_821, "/numbers": 1_029, "/plots": 1_174, "/simulation": 2_535,
+    "/structures": 4_038, "/sweeps": 2_076, "/symbolic": 9_017, "/teaching": 39,
     "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""

@@ -47,9 +47,7 @@ def _check_base(kind: str, places: np.ndarray) -> None:
     try:
         hull = ConvexHull(places)
     except QhullError:
-        raise InputError("feet", of=kind).wrong(
-            "stand in one line: give one that stands apart"
-        ) from None
+        raise InputError("feet", of=kind).wrong("are on one line: give one that is not") from None
     if (hull.equations[:, -1] >= 0.0).any():
         raise InputError("centroid", of=kind).wrong(
             "is not above the area between the feet, or it falls by itself: move the centroid, or "
@@ -198,7 +196,7 @@ class LeggedStatue(_StandingBody):
     ...     centroid=(0.0, 0.0, 0.6), mass=300.0, inertia=np.diag([50.0, 45.0, 12.0]),
     ... )  # m, kg, kg m2
     >>> {name: round(force) for name, force in tripod.reactions({}).items() if "reaction" in name}
-    {'horizontal_reaction': 0, 'transverse_reaction': 0, 'vertical_reaction': 2942, ...}
+    {'horizontal_reaction': 0, 'transverse_reaction': 0, 'vertical_reaction': 2943, ...}
     """
 
     model: ClassVar[str] = "legged_statue"

@@ -277,7 +277,7 @@ class Support:
     def _describe_in_space(self) -> str:
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
-        together = " That is of all feet together: a single foot may need more."
+        together = " Both are of all feet together: a single foot may need more."
         names, kinds = self._structure.module.MODES, self._events.columns.kinds
         freed = [
             names[after].count("_released") - names[before].count("_released")

@@ -158,7 +158,7 @@ TRIPOD = {
     ("changed", "words"),
     [
         ({"feet": {"a": (0, 0), "b": (1, 0)}}, "give three or more"),
-        ({"feet": {"a": (0, 0), "b": (1, 0), "c": (2, 0)}}, "stand in one line"),
+        ({"feet": {"a": (0, 0), "b": (1, 0), "c": (2, 0)}}, "are on one line"),
         ({"feet": [1.0]}, "a mapping of names to places"),
         ({"feet": {"a": (0, 0, 0), "b": (1, 0), "c": (2, 0)}}, "foot 'a' is .*give 2 finite"),
         ({"centroid": (5.0, 5.0, 1.0)}, "not above the area between the feet"),
