@@ -7,6 +7,7 @@ import re
 import sys
 from importlib.util import find_spec
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -346,6 +347,7 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
 )
 def test_page_runs(name, capsys):
     names_of(cells(text_of(f"docs/{name}")))
+    plt.close("all")
     assert capsys.readouterr().out
 
 
