@@ -167,8 +167,10 @@ def outputs(function: Function, names: Names) -> list[str]:
 
 
 def table(value: Any) -> str:
-    """A constant of a text: a number, or a table of them."""
-    if isinstance(value, (bool, int, float, np.integer, np.floating)):
+    """A constant of a text: a truth, a number, or a table of numbers."""
+    if isinstance(value, bool):
+        return MatlabWriter.truths[value]
+    if isinstance(value, (int, float, np.integer, np.floating)):
         return repr(value if not isinstance(value, np.generic) else value.item())
     rows = value.tolist() if isinstance(value, np.ndarray) else value
     if not rows or not isinstance(rows[0], (tuple, list)):

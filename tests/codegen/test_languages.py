@@ -264,6 +264,11 @@ def literal(value):
     return repr(value)
 
 
+def test_matlab_is_told_no_truth_of_python():
+    for name in NAMES:
+        assert not re.findall(r"\b(?:True|False|None)\b", text(name, "matlab")), name
+
+
 @pytest.fixture(scope="module")
 def octave(tmp_path_factory):
     """What each call of each structure gives, by name: all in one process."""
