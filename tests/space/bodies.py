@@ -8,7 +8,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.symbolic import Model, Rigid, coordinate, parameter, space
-from tests.space.cases import GRAVITY
+from tests.space.cases import GRAVITY, TIGHT, Case
 
 PLACE = [coordinate(x, x, "m", f"place along {x}") for x in "xyz"]
 ANGLES = [
@@ -109,3 +109,24 @@ def on_feet(feet: Mapping[str, Sequence[float]], elements=(), restitution=0, **m
         elements=elements, falls=space.tilt(FRAME, sp.Rational(14, 10)), **more,
     )  # fmt: skip
     return rk.structure(declared, mass=2.0, gravity=GRAVITY)
+
+
+def energy_ratio(block, impact) -> float:
+    """Kinetic energy after an impact over that before."""
+    after, before = (block.energies(s)["kinetic_energy"] for s in (impact.after, impact.before))
+    return after / before
+
+
+def impact_agrees(case: Case, block) -> None:
+    """Check the impact with which a motion begins against the velocities and the loss of a case."""
+    rates = zip("xyz", map(float, case.given["v_centroid"]), strict=True)
+    state = oriented(case.given["R"], case.given["omega"])
+    state |= {f"{axis}_dot": rate for axis, rate in rates}
+    run = rk.simulate(block, rk.GroundMotion.none(1e-3), initial=state, options=TIGHT)
+    impact = run.impacts[0]
+    assert impact.time < 1e-9
+    case.agrees(
+        omega_after=spin(impact.after),
+        v_centroid_after=np.array([impact.after[f"{axis}_dot"] for axis in "xyz"]),
+        energy_ratio=energy_ratio(block, impact),
+    )

@@ -11,7 +11,10 @@ from typing import Any
 
 import numpy as np
 
+import rockeom as rk
+
 GRAVITY = 9.81
+TIGHT = rk.SolverOptions(rtol=1e-13, atol=1e-15)
 CASES: dict[str, dict[str, Any]] = {
     case["name"]: case
     for case in json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))

@@ -5,9 +5,8 @@ import pytest
 
 import rockeom as rk
 from tests.space.bodies import NAMES, oriented, spin_rate
-from tests.space.cases import GRAVITY, Case
+from tests.space.cases import GRAVITY, TIGHT, Case
 
-TIGHT = rk.SolverOptions(rtol=1e-13, atol=1e-15)
 GROUND = ("", "transverse_", "vertical_")
 EL_CENTRO = [rk.GroundMotion.from_library(f"El Centro 1940 {way}") for way in ("180", "270", "up")]
 HERE = {name: name.split("_")[1] + "_" + name.split("_")[0] for name in NAMES.values()}

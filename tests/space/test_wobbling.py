@@ -9,9 +9,8 @@ import rockeom as rk
 from rockeom import plots
 from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, parameter, space
 from tests.refusals import told
-from tests.space.cases import GRAVITY, Case, of_group
+from tests.space.cases import GRAVITY, TIGHT, Case, of_group
 
-TIGHT = rk.SolverOptions(rtol=1e-13, atol=1e-15)
 MASS, RADIUS, HEIGHT, SLAB, G = (
     parameter(symbol, name, unit, words)
     for symbol, name, unit, words in (

@@ -69,8 +69,9 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     candidate += freed
     for _ in range(3 * N_POINTS):
         which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
-        if which >= 0:
-            candidate += changed_digit(candidate, which)
+        if which < 0:
+            break
+        candidate += changed_digit(candidate, which)
     if number - 2 * int(number * 0.5) == 1:
         which = wrongly_loaded(candidate, NEARLY, wanted, contact, share)
         if which < 0 or digit_of(candidate, which) == IDLES:
@@ -83,10 +84,9 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
 def would_pull(sticks, candidate, wanted, contact, share):
     """Whether the points that a candidate releases press on nothing, or pull, where they stick."""
     shares_in(sticks, wanted, contact, share)
-    largest = 0.0
+    largest, pulls = 0.0, True
     for i in range(N_POINTS):
         largest = max(largest, abs(share[DIRECTIONS * i]))
-    pulls = True
     for i in range(N_POINTS):
         released = digit_of(candidate, i) != digit_of(sticks, i)
         pulls = pulls and not (released and share[DIRECTIONS * i] > NEARLY * largest)
