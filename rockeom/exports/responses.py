@@ -299,6 +299,7 @@ class _File:
             slope=definition.get("slope", 0.0),
             ground_axes=definition.get("ground_axes", SLOPE),
             transverse=self.motion("transverse", definition.get("transverse")),
+            azimuth=definition.get("azimuth", 0.0),
         )
 
 

@@ -32,8 +32,8 @@ class Recording:
     """Components that one station recorded in one earthquake.
 
     A plane structure is shaken by one horizontal component and the vertical one. `in_plane` gives
-    these pairs, and a simulation, a case and a sweep take such a pair for a motion. All components
-    are scaled by one factor.
+    these pairs, and a simulation, a case and a sweep take such a pair for a motion. A structure in
+    space takes all three components, see `in_space`. All are scaled by one factor.
 
     Parameters
     ----------
@@ -139,6 +139,50 @@ class Recording:
         if len(self.horizontal) == 1:
             return (self,)
         return tuple(Recording(one.name, (one,), self.vertical) for one in self.horizontal)
+
+    def in_space(self) -> tuple[GroundMotion, GroundMotion]:
+        """Horizontal components of a structure in space, the second counter-clockwise of the first.
+
+        Returns
+        -------
+        tuple of (GroundMotion, GroundMotion)
+            First component, and the one at a right angle from it, counter-clockwise seen from
+            above.
+
+        Raises
+        ------
+        InputError
+            For one horizontal component, and for two that are not at right angles.
+
+        Notes
+        -----
+        Networks count azimuths clockwise from north, and rockeom counter-clockwise from the first
+        component. Here is the border: a second component that the azimuths of both put clockwise of
+        the first one, as 270 after 180, is mirrored. Without azimuths in files or names it is taken
+        for counter-clockwise.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> south, west = (rk.GroundMotion.none(1.0).named(name) for name in ("X 180", "X 270"))
+        >>> [motion.name for motion in rk.Recording("X", (south, west)).in_space()]
+        ['X 180', '-X 270']
+        """
+        if len(self.horizontal) == 1:
+            raise InputError("motion").says(
+                f"the recording {self.name!r} has one horizontal component, and a structure in "
+                "space takes two: give recording.horizontal[0] as motion, and recording.vertical, "
+                "to shake it along one axis"
+            )
+        if fault := _fault_of_plane(self.horizontal):
+            raise InputError("motion").says(
+                f"the recording {self.name!r} has {fault}: give two at right angles"
+            )
+        first, second = self.horizontal
+        at = _azimuth(first), _azimuth(second)
+        if at[0] is not None and at[1] is not None and (at[1] - at[0]) % 360 < _HALF_TURN:
+            second = -second
+        return first, second
 
     def along(self, angle: float) -> Recording:
         """Horizontal component at an angle from the first, with the vertical one.

@@ -73,7 +73,7 @@ def tables_on(
             "motion.resampled(dt), with a time step of a hundredth of its period"
         )
     along, normal = weight_on(slope, gravity)
-    across, up = _endless(horizontal), _endless(vertical)
+    across, up = without_end(horizontal), without_end(vertical)
     if axes == SLOPE:
         parts = (across, along), (up, normal)
         first, second = (
@@ -82,10 +82,10 @@ def tables_on(
         )
         return first, second
     cos, sin = mathematics.cos(slope), mathematics.sin(slope)
-    return _sum(across, cos, up, -sin, along), _sum(up, cos, across, sin, normal)
+    return summed(across, cos, up, -sin, along), summed(up, cos, across, sin, normal)
 
 
-def _endless(table: np.ndarray) -> np.ndarray:
+def without_end(table: np.ndarray) -> np.ndarray:
     """The table with quiet ground behind it."""
     quiet = np.zeros((1, pieces.COLUMNS), table.dtype)
     quiet[0, START], quiet[0, END] = table[-1, END] if len(table) else 0.0, np.inf
@@ -102,10 +102,13 @@ def _plus(table: np.ndarray, constants: np.ndarray) -> np.ndarray:
     return rows
 
 
-def _sum(
-    first: np.ndarray, by_first: Any, second: np.ndarray, by_second: Any, constant: Any
+def summed(
+    first: np.ndarray, by_first: Any, second: np.ndarray, by_second: Any, constant: Any = None
 ) -> np.ndarray:
-    """The table of by_first times the first, by_second times the second, and a constant."""
+    """The table of by_first times the first, by_second times the second, and a constant, if any.
+
+    Both are without end.
+    """
     ends = np.concatenate([first[:, END], second[:, END]])
     ends = ends[np.unique(value_of(ends).real, return_index=True)[1]]
     a, b = (_parted(table, ends) for table in (first, second))
@@ -122,7 +125,9 @@ def _sum(
     linear = ~(curved_a | curved_b)
     rows[:, C0] = shape[:, C0] * by_shape
     rows[linear, C1] = (shape[:, C1] * by_shape + other[:, C1] * by_other)[linear]
-    return _plus(rows, other[:, C0] * by_other + constant)
+    if constant is None and not other[:, C0].any():
+        return rows
+    return _plus(rows, other[:, C0] * by_other + (0.0 if constant is None else constant))
 
 
 def _parted(table: np.ndarray, ends: np.ndarray) -> np.ndarray:

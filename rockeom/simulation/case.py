@@ -10,6 +10,7 @@ import numpy as np
 from rockeom.codes import WITH_CONSTANT
 from rockeom.integrator.schema import has_points, in_space
 from rockeom.motion import GroundMotion
+from rockeom.motion.azimuth import azimuth_angle
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
 from rockeom.motion.slope import AXES, SLOPE, slope_angle
@@ -222,8 +223,7 @@ class Case:
     structure : Structure
         Structure that is shaken.
     motion : GroundMotion
-        Horizontal ground motion. A recording becomes its horizontal component here, and its
-        vertical one.
+        Horizontal ground motion. A recording becomes its components here.
     impact : ImpactLaw, optional
         Impact law; `Structure.default_impact` if not given.
     initial : dict of str to float, optional
@@ -239,7 +239,11 @@ class Case:
     ground_axes : str, optional
         Axes of the ground motions, "slope" or "world".
     transverse : GroundMotion, optional
-        Second horizontal ground motion, normal to the first one, of a structure in space.
+        Second horizontal ground motion, at a right angle counter-clockwise from the first one seen
+        from above, of a structure in space.
+    azimuth : float or str, optional
+        Azimuth of the x axis of a structure in space from the first horizontal ground motion,
+        counter-clockwise seen from above: a number [rad] or a text such as "30 deg".
 
     Raises
     ------
@@ -247,7 +251,7 @@ class Case:
         For anything but a structure, a ground motion or a mapping of states.
     InputError
         For a slope that is none, or not between -90 and 90 degrees, or below a structure in space,
-        and for a transverse motion of one in the plane.
+        and for a transverse motion or an azimuth of one in the plane.
 
     Examples
     --------
@@ -269,9 +273,11 @@ class Case:
     slope: Any = 0.0
     ground_axes: str = SLOPE
     transverse: GroundMotion | None = None
+    azimuth: Any = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slope", slope_angle(self.slope))
+        object.__setattr__(self, "azimuth", azimuth_angle(self.azimuth))
         axes = self.ground_axes
         require(axes in AXES, "", "ground_axes", axes, f"choose {' or '.join(map(repr, AXES))}")
         swapped: tuple[object, object] = self.structure, self.motion
@@ -297,10 +303,11 @@ class Case:
             object.__setattr__(self, "initial", initial)
 
     def _check_space(self) -> None:
-        """Raise InputError for a transverse motion in the plane, and for a slope in space."""
+        """Raise InputError for a slope in space, and in the plane for what only space has."""
         name, spatial = type(self.structure).__name__, in_space(self.structure.module)
-        if self.transverse is not None and not spatial:
-            raise InputError("transverse").says(f"{name} moves in a plane: leave it out")
+        given_of = {"transverse": self.transverse is not None, "azimuth": self.azimuth != 0.0}
+        for argument in [] if spatial else [one for one, is_given in given_of.items() if is_given]:
+            raise InputError(argument).says(f"{name} moves in a plane: leave it out")
         if spatial and not self.ground.is_level:
             raise InputError("slope", self.slope).says(
                 f"{name} moves in space, and its ground is level: leave the slope out"
@@ -308,18 +315,23 @@ class Case:
 
     def _take_components(self, recording: Recording) -> None:
         """The motions of a recording; raises TypeError where it leaves open which."""
-        if self.vertical is not None:
-            raise InputTypeError("vertical").wrong(
-                f"is given along with the recording {recording.name!r}: leave it out, or give "
-                "recording.horizontal[0] as motion"
-            )
+        for name in ("vertical", "transverse"):
+            if getattr(self, name) is not None:
+                raise InputTypeError(name).wrong(
+                    f"is given along with the recording {recording.name!r}: leave it out, or give "
+                    "recording.horizontal[0] as motion"
+                )
+        object.__setattr__(self, "vertical", recording.vertical)
+        if in_space(self.structure.module):
+            for name, motion in zip(("motion", "transverse"), recording.in_space(), strict=True):
+                object.__setattr__(self, name, motion)
+            return
         if len(recording.horizontal) > 1:
             raise InputTypeError("motion", recording).says(
                 f"the recording {recording.name!r} has two horizontal components, and a plane "
                 "structure takes one: give one of recording.in_plane(), or recording.along(angle)"
             )
         object.__setattr__(self, "motion", recording.horizontal[0])
-        object.__setattr__(self, "vertical", recording.vertical)
 
     @cached_property
     def ground(self) -> Ground:

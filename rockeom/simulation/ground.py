@@ -10,6 +10,7 @@ import numpy as np
 from rockeom.integrator.records import Motions
 from rockeom.integrator.schema import ground_axes
 from rockeom.motion import GroundMotion
+from rockeom.motion.azimuth import seen_from, tables_at
 from rockeom.motion.segments import END
 from rockeom.motion.slope import SLOPE, tables_on, turned, weight_on
 from rockeom.structures.evaluation import gravity_of
@@ -32,7 +33,8 @@ class Ground:
     motions : by name, in the order of the equations. axes : those of the motions, see
     `rockeom.motion.slope`. On a slope all is along and normal to it, and what equations take as
     acceleration of the ground has the part of the weight in it. is_level : whether there is no
-    slope; one of zero that has derivatives is one.
+    slope; one of zero that has derivatives is one. azimuth [rad] : of the structure in space, along
+    whose axes all is; None where it is not turned.
     """
 
     motions: Mapping[str, GroundMotion | None]
@@ -40,6 +42,7 @@ class Ground:
     axes: str = SLOPE
     gravity: Any = 0.0
     is_level: bool = True
+    azimuth: Any = None
 
     @property
     def weight(self) -> tuple[Any, ...]:
@@ -49,7 +52,9 @@ class Ground:
     def shaking(self, t: Any) -> tuple[Any, ...]:
         """Accelerations of the ground itself at times (n,) or a number [m/s2]."""
         still = np.zeros(np.shape(t))
-        shaking = (still if m is None else m.acceleration(t) for m in self.motions.values())
+        shaking = [still if m is None else m.acceleration(t) for m in self.motions.values()]
+        if self.azimuth is not None:
+            return (*seen_from(self.azimuth, *shaking[:2]), *shaking[2:])
         level = self.is_level or self.axes == SLOPE
         return tuple(shaking) if level else turned(self.slope, *shaking)
 
@@ -71,6 +76,8 @@ class Ground:
         """The same for motions of these segments."""
         if not self.is_level:
             tables = tables_on(self.slope, self.axes, self.gravity, *tables)
+        if self.azimuth is not None:
+            tables = (*tables_at(self.azimuth, *tables[:2]), *tables[2:])
         still = dict.fromkeys(COMPONENTS, STILL)
         return Motions(**still | dict(zip(self.motions, tables, strict=True)))
 
@@ -84,10 +91,16 @@ def ground_of(case: Any) -> Ground:
     """The ground of a case or a response."""
     names = ground_axes(case.structure.module)
     motions = {name: getattr(case, PARTS.get(name, name)) for name in names}
-    if type(case.slope) is float and case.slope == 0.0:
-        return Ground(motions, axes=case.ground_axes)
+    if _is_none(case.slope):
+        azimuth = None if _is_none(case.azimuth) else case.azimuth
+        return Ground(motions, axes=case.ground_axes, azimuth=azimuth)
     gravity = gravity_of(case.structure.module, case.structure.vector)
     return Ground(motions, case.slope, case.ground_axes, gravity, is_level=False)
+
+
+def _is_none(angle: Any) -> bool:
+    """Whether an angle turns nothing; one of zero that has derivatives does."""
+    return type(angle) is float and angle == 0.0
 
 
 def rows_after(table: np.ndarray) -> np.ndarray:

@@ -24,10 +24,12 @@ from rockeom.simulation.works import Works, names_of_losses, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
-from rockeom.structures.positions import places, positions_of, rotations_of
+from rockeom.structures.lean import RESERVE, has_barrier, names_of_leans, of_leans
+from rockeom.structures.positions import places, positions_of, rotations_of, size_of_place
 from rockeom.structures.units import dimensioned, ground_accelerations, main_units
 
 PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"
+LEAN, OF_TILT = "lean", "of tilt"
 
 _OF_PLACE = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s2"}
 _OF_BASE = {"base_shear": "N", "overturning_moment": "N m"}
@@ -64,6 +66,8 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
         BASE: [] if in_space(module) else [*_OF_BASE.items()],
         WORKS: [(name, "J") for name in (*names_of_works(module), *names_of_losses(module))],
         OF_ANGLE: [(RATIO, "-")],
+        LEAN: [(name, "rad") for names in names_of_leans(module).values() for name in names],
+        OF_TILT: [(RESERVE, "-")],
     }
     families_of = {}
     for family, names in of.items():
@@ -101,6 +105,8 @@ class Quantities:
         self.families = dict(families(structure.module))
         if not structure.has_overturning_angles:
             del self.families[OF_ANGLE]
+        if not has_barrier(structure):
+            del self.families[OF_TILT]
         self.units = main_units(structure.module)
         for units in self.families.values():
             self.units |= units
@@ -146,6 +152,8 @@ class Quantities:
         if family == OF_ANGLE:
             rotation = y[:, self.structure.module.ROTATION]
             return {RATIO: rotation_ratio(self.structure, rotation, self.ground.slope)}
+        if family in (LEAN, OF_TILT):
+            return self._of_lean(y, mode)
         if family == ELEMENTS:
             return elements(self.structure.module, self.structure.vector, mode, y)
         if family == PLACES:
@@ -153,6 +161,12 @@ class Quantities:
                 self.structure, mode, y, self.ground.accelerations(t), self.ground.weight
             )
         return _base(self.structure, mode, y, *self.ground.accelerations(t))
+
+    def _of_lean(self, y: np.ndarray, mode: np.ndarray) -> dict[str, Any]:
+        """The tilt of each body in space and its direction; the reserve where there is one."""
+        m, p = self.structure.module, self.structure.vector
+        poses = filled(m, p, "positions", size_of_place(m) * len(m.POSITIONS), mode, y)
+        return of_leans(m, poses.reshape(len(m.POSITIONS), -1, len(y)))
 
     def of_program(self, rows: Rows) -> dict[str, Any]:
         """The main quantities but for the states, at times that do not fall."""

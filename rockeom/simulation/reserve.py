@@ -1,4 +1,7 @@
-"""How near a motion came to overturning: theta/alpha, by the overturning angle of each side."""
+"""How near a motion came to overturning: theta/alpha, by the overturning angle of each side.
+
+In space it is the tilt by that of the stability surface in the direction of the lean.
+"""
 
 import math
 from typing import NamedTuple
@@ -12,6 +15,21 @@ from rockeom.structures.slope import overturning_angles
 
 RATIO = "rotation_ratio"
 """Name of theta/alpha among the quantities of a response."""
+
+
+def describe_tilt(
+    tilt: Extremes, direction: float, reserve: Extremes | None, towards: float
+) -> str:
+    """The largest tilt and the least reserve of a body in space, and the azimuths of both."""
+    text = f"Largest tilt: {with_degrees(tilt.maximum, 'rad')}"
+    if tilt.maximum > 0.0:
+        text += f" towards {math.degrees(direction):.3g} degrees at {tilt.maximum_time:.4g} s"
+    if reserve is None:
+        return f"{text}."
+    part = max(1.0 - reserve.minimum, 0.0)
+    left = f"{100 * reserve.minimum:.3g} %" if part < 1.0 else "none"
+    where = f", towards {math.degrees(towards):.3g} degrees" if part else ""
+    return f"{text}. Largest tilt/barrier: {part:.3g}{where}. Reserve: {left}."
 
 
 class Reserve(NamedTuple):

@@ -25,13 +25,14 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.quantities import Places, Quantities
 from rockeom.simulation.recorder import Samples
-from rockeom.simulation.reserve import reserve_of
+from rockeom.simulation.reserve import describe_tilt, reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
 from rockeom.simulation.ties import YIELDS, Samples as OfTie, TieRecord, states_of, tie_record
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.lean import DIRECTION, RESERVE, TILT
 from rockeom.structures.pickled import made_of
 from rockeom.structures.searched_modes import assumption
 from rockeom.structures.slope import uplift_accelerations
@@ -124,6 +125,8 @@ class Response:
         Axes of the ground motions, see `simulate`.
     transverse : GroundMotion, optional
         Second horizontal ground motion, of a structure in space.
+    azimuth : float, optional
+        Azimuth of the x axis of a structure in space from the first ground motion [rad].
 
     Examples
     --------
@@ -152,6 +155,7 @@ class Response:
     slope: float = 0.0
     ground_axes: str = SLOPE
     transverse: GroundMotion | None = None
+    azimuth: float = 0.0
 
     __getstate__ = made_of
 
@@ -445,26 +449,44 @@ class Response:
             Text of several lines.
         """
         m = self.structure.module
-        rotation, unit = self.states[m.ROTATION], m.STATE_UNITS[m.ROTATION]
-        largest = self.extremes(rotation)
         sloping = f" on a slope of {with_degrees(self.slope, 'rad')}" if self.slope else ""
+        if self.azimuth:
+            sloping = f" at an azimuth of {with_degrees(self.azimuth, 'rad')}"
         lines = [
             f"{type(self.structure).__name__}{sloping} under "
             f"{self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}{self._why()}",
-            f"Largest |{rotation}|: {with_degrees(abs(largest.peak), unit)} at "
-            f"{largest.peak_time:.4g} s; "
-            f"{self.impacts.describe()}.",
         ]
-        if (reserve := reserve_of(self.structure, largest, self.slope)) is not None:
-            lines.append(reserve.describe(unit))
+        leans = TILT in self.units and isinstance(self.record, Steps)
+        lines += self._tilted() if leans else self._turned()
         lines += self._impact_law()
         lines += self._uplift()
         lines += [record.describe(name) for name, record in self.ties.items()]
         if (rest := self.events.rest_time) is not None:
             lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])
+
+    def _turned(self) -> list[str]:
+        """The largest rotation, and how near it is to overturning."""
+        m = self.structure.module
+        rotation, unit = self.states[m.ROTATION], m.STATE_UNITS[m.ROTATION]
+        largest = self.extremes(rotation)
+        size = with_degrees(abs(largest.peak), unit)
+        line = f"Largest |{rotation}|: {size} at {largest.peak_time:.4g} s"
+        reserve = reserve_of(self.structure, largest, self.slope)
+        return [
+            f"{line}; {self.impacts.describe()}.",
+            *([reserve.describe(unit)] if reserve else []),
+        ]
+
+    def _tilted(self) -> list[str]:
+        """The same of a body in space."""
+        tilt = self.extremes(TILT)
+        reserve = self.extremes(RESERVE) if RESERVE in self.units else None
+        times = [tilt.maximum_time, reserve.minimum_time if reserve else 0.0]
+        towards = self._quantities.at(np.array(times), "right", [DIRECTION])[DIRECTION]
+        return [describe_tilt(tilt, towards[0], reserve, towards[1]), f"{self.impacts.describe()}."]
 
     def _why(self) -> str:
         """The coordinate that fell, where several may; or the assumption that failed."""

@@ -211,6 +211,7 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "outcome": str(made["outcome"]),
         "duration": encode("duration", made["duration"]),
         "slope": made["slope"],
+        "azimuth": made["azimuth"],
         "ground_axes": made["ground_axes"],
         "statistics": {name: encode(name, value) for name, value in made["statistics"].items()},
         "quantities": None if isinstance(record, Steps) else list(record.extremes),

@@ -53,6 +53,7 @@ def simulate(
     slope: float | str = 0.0,
     ground_axes: str = SLOPE,
     transverse: GroundMotion | None = None,
+    azimuth: float | str = 0.0,
 ) -> Response:
     """Simulate a structure under a horizontal (and a vertical) ground motion.
 
@@ -62,7 +63,8 @@ def simulate(
         Structure that is shaken; or a `Case`, which has all but `options` and `keep`.
     motion : GroundMotion or Recording, optional
         Horizontal ground motion, or a recording with one horizontal component, which brings its
-        vertical one along.
+        vertical one along. A structure in space takes a recording with two horizontal components,
+        see `Recording.in_space`.
     impact : ImpactLaw, optional
         Impact law: Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another one;
         `Structure.default_impact` if not given. ``statistics["impact_law"]`` of the response has
@@ -93,7 +95,12 @@ def simulate(
         "slope": the ground motions are along and normal to the slope; "world": they are level and
         upright.
     transverse : GroundMotion, optional
-        Second horizontal ground motion, normal to the first one, of a structure in space.
+        Second horizontal ground motion, at a right angle counter-clockwise from the first one seen
+        from above, of a structure in space.
+    azimuth : float or str, optional
+        Azimuth of the x axis of a structure in space from the first horizontal ground motion,
+        counter-clockwise seen from above: a number [rad] or a text such as "30 deg". The axes of
+        the response are those of the structure.
 
     Returns
     -------
@@ -131,9 +138,9 @@ def simulate(
     """
     require(keep in KEEP, "", "keep", keep, f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
-    others: Any = slope, ground_axes, transverse
+    others: Any = slope, ground_axes, transverse, azimuth
     case = structure if isinstance(structure, Case) else Case(structure, *parts, *others)
-    if case is structure and any(x is not None for x in parts) | (others != (0.0, SLOPE, None)):
+    if case is structure and any(x is not None for x in parts) | (others != (0.0, SLOPE, None, 0.0)):
         raise InputTypeError("structure").wrong(
             "is a case, which has the other arguments: give others to dataclasses.replace(case, "
             "...)"
@@ -163,7 +170,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     return Response(
         structure, case.motion, case.vertical, case.impact, options, motion.outcome, problem.end,
         statistics, recorder.record(motion.events), Events(structure, motion.events), motion.y,
-        case.slope, case.ground_axes, case.transverse,
+        case.slope, case.ground_axes, case.transverse, case.azimuth,
     )  # fmt: skip
 
 

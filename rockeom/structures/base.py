@@ -22,6 +22,7 @@ from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.numbers.pictures import picture
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
+from rockeom.structures.lean import barriers, has_barrier
 from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
@@ -839,6 +840,43 @@ class Structure(metaclass=explained.Constructors):
             for side in (-1.0, 1.0)
         )
         return left, right
+
+    def overturning_tilts(self, directions) -> np.ndarray:
+        """Tilts beyond which a body on feet in space does not come back by itself.
+
+        The barrier of its weight as it leans in a direction at rest: tan tilt = s/h, of the
+        farthest distance s of its feet in that direction and the height h of its centroid.
+
+        Parameters
+        ----------
+        directions : array_like
+            Directions of the lean (n,) along the axes of the body, counter-clockwise from its x
+            seen from above [rad].
+
+        Returns
+        -------
+        ndarray
+            Tilts (n,) [rad]. The least of all directions is over an edge: a body that leans over a
+            corner below its barrier may fall over an edge beside it.
+
+        Raises
+        ------
+        InputError
+            For a structure that is not one body on level feet in space.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> statue = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)  # m, kg
+        >>> statue.overturning_tilts([0.0, 0.9]).round(3)  # rad
+        array([0.165, 0.278])
+        """
+        if not has_barrier(self):
+            raise InputError("directions").says(
+                f"{type(self).__name__} is not one body on level feet in space: "
+                "overturning_angles has those of one in the plane"
+            )
+        return barriers(self, np.atleast_1d(array_of("directions", directions)))
 
     def on_slope(self, slope: float | str) -> OnSlope:
         """Statics of the structure on ground that slopes.

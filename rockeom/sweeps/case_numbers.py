@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.integrator.schema import in_space
 from rockeom.motion import GroundMotion
 from rockeom.motion.formula import UNITS, formula_of
 from rockeom.motion.recording import Recording
@@ -149,7 +150,7 @@ def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
     start = {path[1]: x for path, x in own.items() if path[0] == "initial"}
     if start:
         changed["initial"] = {**(case.initial or {}), **start}
-    changed |= {name: own[name,] for name in ("duration", "slope") if (name,) in own}
+    changed |= {name: own[name,] for name in ("duration", "slope", "azimuth") if (name,) in own}
     return replace(case, **changed)
 
 
@@ -181,7 +182,7 @@ class OtherCase:
     def __call__(self, **values: Any) -> Case:
         parts = {name: x for name, x in values.items() if name in PARTS}
         if isinstance(parts.get("motion"), Recording):  # which is both motions
-            parts.setdefault("vertical", None)
+            parts = {"vertical": None, "transverse": None} | parts
         case = replace(self.case, **parts) if parts else self.case
         changes = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
         return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in changes])
@@ -256,11 +257,13 @@ def _of_time(case: Case) -> dict[str, Number]:
     duration = case.motion.duration if case.duration is None else case.duration
     unit = time_unit(case.structure.module)
     acceleration = dimensioned(case.structure.module, {"pga": "m/s2"})["pga"]
+    azimuth = Number("case", ("azimuth",), case.azimuth, "rad")
     return {
         **{f"case.{name}": Number("case", (name,), 1.0, "-") for name in FACTORS},
         "case.pga": Number("case", ("pga",), case.motion.peak, acceleration, smooth=False),
         "case.duration": Number("case", ("duration",), float(duration), unit),
         "case.slope": Number("case", ("slope",), case.slope, "rad"),
+        **({"case.azimuth": azimuth} if in_space(case.structure.module) else {}),
     }
 
 

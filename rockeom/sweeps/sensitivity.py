@@ -29,6 +29,8 @@ from rockeom.simulation.ground import COMPONENTS, PARTS, Ground
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
+from rockeom.structures.lean import RESERVE, names_of_leans, of_leans, stands_on_feet
+from rockeom.structures.positions import size_of_place
 from rockeom.structures.units import time_unit, with_unit
 from rockeom.sweeps.case_numbers import Number, numbers_named, numbers_of, with_numbers
 from rockeom.sweeps.tangents import Tangents, of_problem
@@ -132,7 +134,8 @@ def sensitivity(
         theta"; "theta at 2.5", at a time [s]; "end theta"; "impact 3 time", and of the third impact
         (or "event 3", of ``run.events``) "impact 3 theta_dot", before it, and "impact 3 theta_dot
         after"; "overturning time" and "rest time". Instead of theta any state, energy,
-        displacement, or deformation, force and energy of an element, such as "storey_1_force".
+        displacement, or deformation, force and energy of an element, such as "storey_1_force"; in
+        space "tilt", "tilt_direction" and "reserve".
     to : sequence of str
         Names of the numbers: arguments of the structure, "masses[0]" for an item of a list and
         "support.stiffness" for one of its support; those of a pulse, "amplitude" and "period" or
@@ -341,6 +344,8 @@ def quantity_of(module: Any, name: str, mode: int, y: np.ndarray, p: np.ndarray)
         return y[first]
     out = np.zeros(_SIZES[function](module), dtype=object)
     getattr(of_compounds(module), function)(mode, y, p, out)
+    if function == "positions":
+        return of_leans(module, out.reshape(len(module.POSITIONS), -1))[name]
     return sum(out[first:last])
 
 
@@ -348,6 +353,7 @@ _SIZES: dict[str, Callable[[Any], int]] = {
     "kinematics": lambda m: len(m.KINEMATICS),
     "energies": lambda m: len(m.ENERGIES),
     "elements": lambda m: 4 * len(m.ELEMENT_NAMES),
+    "positions": lambda m: size_of_place(m) * len(m.POSITIONS),
 }
 
 
@@ -361,6 +367,9 @@ def _told(module: Any, name: str) -> tuple[str, int, int]:
     for i, element in enumerate(module.ELEMENT_NAMES):
         for k, part in enumerate(OF_ELEMENT, 4 * i):
             places[f"{element}_{part}"] = "elements", k, k + 1
+    leans = [name for names in names_of_leans(module).values() for name in names]
+    for quantity in [*leans, *[RESERVE] * stands_on_feet(module)]:
+        places.setdefault(quantity, ("positions", 0, 0))
     if name not in places:
         raise InputError("of", name).says(
             f"there are derivatives of {', '.join(places)}: {name!r} is none of them"
