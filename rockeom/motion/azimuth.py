@@ -40,9 +40,7 @@ def seen_from(azimuth: Any, first: Any, second: Any) -> tuple[Any, Any]:
     return cos * first + sin * second, cos * second - sin * first
 
 
-def tables_at(
-    azimuth: Any, first: np.ndarray, second: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def tables_at(azimuth: Any, first: np.ndarray, second: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Tables (m, 7) along axes at an azimuth, of two motions at right angles, without end.
 
     Raises InputError for motions whose sum no row can hold.

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion.components import azimuth_and_vertical, name_of, split
 from rockeom.motion.ground_motion import GroundMotion, every_component
-from rockeom.motion.scaling import Acceleration, multiplier, target
+from rockeom.motion.scaling import SCALE_IN_NAME, Acceleration, multiplier, target
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
 from rockeom.numbers.checks import FilePath, InputError, InputTypeError, described, require_word
@@ -164,7 +164,10 @@ class Recording:
         Examples
         --------
         >>> import rockeom as rk
-        >>> south, west = (rk.GroundMotion.none(1.0).named(name) for name in ("X 180", "X 270"))
+        >>> south, west = (
+        ...     rk.GroundMotion.from_array([0.0, 1.0, 0.0], dt=0.1, name=f"X {azimuth}")  # m/s2, s
+        ...     for azimuth in (180, 270)
+        ... )
         >>> [motion.name for motion in rk.Recording("X", (south, west)).in_space()]
         ['X 180', '-X 270']
         """
@@ -451,4 +454,4 @@ def _azimuth(motion: GroundMotion) -> float | None:
     """Azimuth of a record [degrees], by its file, or by its name if it is of no network."""
     if motion.origin is not None:
         return motion.origin.azimuth
-    return azimuth_and_vertical(split(motion.name)[1])[0]
+    return azimuth_and_vertical(split(SCALE_IN_NAME.sub("", motion.name))[1])[0]

@@ -140,7 +140,9 @@ def simulate(
     parts: Any = motion, impact, initial, duration, vertical, mode
     others: Any = slope, ground_axes, transverse, azimuth
     case = structure if isinstance(structure, Case) else Case(structure, *parts, *others)
-    if case is structure and any(x is not None for x in parts) | (others != (0.0, SLOPE, None, 0.0)):
+    if case is structure and any(x is not None for x in parts) | (
+        others != (0.0, SLOPE, None, 0.0)
+    ):
         raise InputTypeError("structure").wrong(
             "is a case, which has the other arguments: give others to dataclasses.replace(case, "
             "...)"

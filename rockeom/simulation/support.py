@@ -11,6 +11,7 @@ from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
 from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code, still_ground
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.extremes import Extremes, extremes, last_crest
+from rockeom.simulation.feet import least_friction
 from rockeom.simulation.quantities import Quantities
 from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.structures.base import Structure
@@ -105,7 +106,8 @@ class Support:
 
         The vertical force is that on both feet together. inf where there was none, but a horizontal
         one: then no friction suffices. NaN without feet. In space it is that of all feet that never
-        slip together; single ones may need more. Impulses are in `impact_friction_demand`.
+        slip together; `foot_friction_demand` is of single ones. Impulses are in
+        `impact_friction_demand`.
         """
         if is_by_code(self._structure.module):
             return self._demand_in_space()
@@ -184,8 +186,7 @@ class Support:
 
     def _demand_in_space(self) -> float:
         """The same of the sums of forces over the points that never slip."""
-        module: Any = self._structure.module
-        names = [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
+        names = self._holding_feet
         if not names:
             return math.nan
         columns = self._quantities.columns(
@@ -199,6 +200,25 @@ class Support:
         steps = self._quantities.steps("friction_demand")
         across, pressing = extremes(steps, forces, self._until)
         return least_coefficient(steps, forces, across, pressing, self._until, True)
+
+    @cached_property
+    def foot_friction_demand(self) -> float:
+        """The least friction coefficient with which no single foot in space would have slid.
+
+        |T|/N of a foot that holds alone; of two on an edge the least for both, however they share
+        the force along it; of more that of all together. inf where a foot that is relieved still
+        has to hold a force across the edge: it is released, see `Prism`. NaN in the plane.
+        """
+        feet = self._holding_feet
+        return least_friction(self._quantities, feet, self._until) if feet else math.nan
+
+    @property
+    def _holding_feet(self) -> list[str]:
+        """Feet in space that never slip."""
+        module: Any = self._structure.module
+        if not is_by_code(module):
+            return []
+        return [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
 
     # -- contact
 
@@ -277,7 +297,9 @@ class Support:
     def _describe_in_space(self) -> str:
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
-        together = " Both are of all feet together: a single foot may need more."
+        alone = self.foot_friction_demand
+        together = " Both are of all feet together: single ones needed "
+        together += "more than any." if math.isinf(alone) else f"{alone:.3g} under forces."
         names, kinds = self._structure.module.MODES, self._events.columns.kinds
         freed = [
             names[after].count("_released") - names[before].count("_released")

@@ -186,7 +186,7 @@ def test_a_statue_is_kept_and_read_again(tmp_path):
     read = rk.load(tmp_path / "run.nc")
     assert read.structure == body
     np.testing.assert_array_equal(read.y, run.y)
-    assert "single foot may need more" in run.summary()
+    assert "single ones needed" in run.summary()
 
 
 def test_a_smooth_foot_among_those_that_stick_bears_its_part():
