@@ -1,9 +1,13 @@
-"""Ground that slopes: accelerations along and normal to it, with the part that weight has in them.
+"""Ground in the axes of a structure that is turned against it: by a slope, or in space an azimuth.
+
+Ground that slopes: accelerations along and normal to it, with the part that weight has in them.
 
 In axes along a slope phi and normal to it weight acts as g sin(phi) downhill and g cos(phi) into
 the ground. For a structure, whose equations have the weight g along the normal, that is ground with
 the further accelerations -g sin(phi) along the slope and g (cos(phi) - 1) along the normal, for all
 times: before, during and after the shaking.
+
+Azimuths are counter-clockwise seen from above, from the first of two horizontal motions.
 """
 
 import math
@@ -35,17 +39,31 @@ def slope_angle(slope: Any) -> Any:
     remedy = (
         'radians between -1.57 and 1.57, "5 deg" or "1 in 20", positive where it falls to the right'
     )
-    angle = slope
-    if isinstance(slope, str):
-        match = _TEXT.fullmatch(slope)
-        size, unit, run = match.groups() if match else ("nan", "rad", None)
-        angle = float(size) * (1.0 if unit == "rad" else RADIANS)
-        if run:
-            angle = math.atan2(float(size), float(run))
-    angle = number("slope", angle)
+    angle = _angle("slope", slope)
     if not abs(value_of(angle)) < 0.5 * math.pi:
         raise InputError("slope", slope).give(remedy)
     return angle
+
+
+def azimuth_angle(azimuth: Any) -> Any:
+    """An azimuth [rad]: a number, or a text such as "30 deg"; raises InputError for another."""
+    angle = _angle("azimuth", azimuth)
+    if not math.isfinite(value_of(angle)):
+        raise InputError("azimuth", azimuth).give(
+            'radians, or a text such as "30 deg", counter-clockwise seen from above'
+        )
+    return angle
+
+
+def _angle(name: str, given: Any) -> Any:
+    """A number, or an angle out of a text [rad]; NaN for another text."""
+    if not isinstance(given, str):
+        return number(name, given)
+    match = _TEXT.fullmatch(given)
+    size, unit, run = match.groups() if match else ("nan", "rad", None)
+    if run:
+        return math.atan2(float(size), float(run))
+    return float(size) * (1.0 if unit == "rad" else RADIANS)
 
 
 def weight_on(slope: Any, gravity: Any) -> tuple[Any, Any]:
@@ -73,7 +91,7 @@ def tables_on(
             "motion.resampled(dt), with a time step of a hundredth of its period"
         )
     along, normal = weight_on(slope, gravity)
-    across, up = without_end(horizontal), without_end(vertical)
+    across, up = _endless(horizontal), _endless(vertical)
     if axes == SLOPE:
         parts = (across, along), (up, normal)
         first, second = (
@@ -82,10 +100,32 @@ def tables_on(
         )
         return first, second
     cos, sin = mathematics.cos(slope), mathematics.sin(slope)
-    return summed(across, cos, up, -sin, along), summed(up, cos, across, sin, normal)
+    return _sum(across, cos, up, -sin, along), _sum(up, cos, across, sin, normal)
 
 
-def without_end(table: np.ndarray) -> np.ndarray:
+def seen_from(azimuth: Any, first: Any, second: Any) -> tuple[Any, Any]:
+    """(along, across) axes at an azimuth, of two horizontal accelerations at right angles."""
+    cos, sin = mathematics.cos(azimuth), mathematics.sin(azimuth)
+    return cos * first + sin * second, cos * second - sin * first
+
+
+def tables_at(azimuth: Any, first: np.ndarray, second: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Tables (m, 7) along axes at an azimuth, of two motions at right angles, without end.
+
+    Raises InputError for motions whose sum no row can hold.
+    """
+    curved = any((table[:, KIND] != LINEAR).any() for table in (first, second))
+    if curved and all(table[:, C0 : C1 + 1].any() for table in (first, second)):
+        raise InputError("azimuth").says(
+            "two motions act along each axis of a structure that is turned, and one of them is a "
+            "formula: give its samples, motion.resampled(dt)"
+        )
+    cos, sin = mathematics.cos(azimuth), mathematics.sin(azimuth)
+    x, y = _endless(first), _endless(second)
+    return _sum(x, cos, y, sin), _sum(y, cos, x, -sin)
+
+
+def _endless(table: np.ndarray) -> np.ndarray:
     """The table with quiet ground behind it."""
     quiet = np.zeros((1, pieces.COLUMNS), table.dtype)
     quiet[0, START], quiet[0, END] = table[-1, END] if len(table) else 0.0, np.inf
@@ -102,7 +142,7 @@ def _plus(table: np.ndarray, constants: np.ndarray) -> np.ndarray:
     return rows
 
 
-def summed(
+def _sum(
     first: np.ndarray, by_first: Any, second: np.ndarray, by_second: Any, constant: Any = None
 ) -> np.ndarray:
     """The table of by_first times the first, by_second times the second, and a constant, if any.

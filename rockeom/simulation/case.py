@@ -10,10 +10,9 @@ import numpy as np
 from rockeom.codes import WITH_CONSTANT
 from rockeom.integrator.schema import has_points, in_space
 from rockeom.motion import GroundMotion
-from rockeom.motion.azimuth import azimuth_angle
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
-from rockeom.motion.slope import AXES, SLOPE, slope_angle
+from rockeom.motion.slope import AXES, SLOPE, azimuth_angle, slope_angle
 from rockeom.numbers import explained
 from rockeom.numbers.batch import values
 from rockeom.numbers.checks import InputError, InputTypeError, number, require, require_type

@@ -34,8 +34,8 @@ def least_friction(quantities: Quantities, feet: list[str], until: float) -> flo
         rows = np.flatnonzero(holds.sum(axis=1) == 2)
         if len(rows):
             pair = np.argsort(~holds[rows], axis=1, kind="stable")[:, :2]
-            of_pair = (a[rows[:, None], pair] for a in (forces, up, places))
-            ratio[rows] = _of_edge(*of_pair, none)
+            both = rows[:, None], pair
+            ratio[rows] = _of_edge(forces[both], up[both], places[both], none)
         return ratio[:, None]
 
     (ratio,) = extremes(steps, pressing_over_holding, until)

@@ -10,9 +10,8 @@ import numpy as np
 from rockeom.integrator.records import Motions
 from rockeom.integrator.schema import ground_axes
 from rockeom.motion import GroundMotion
-from rockeom.motion.azimuth import seen_from, tables_at
 from rockeom.motion.segments import END
-from rockeom.motion.slope import SLOPE, tables_on, turned, weight_on
+from rockeom.motion.slope import SLOPE, seen_from, tables_at, tables_on, turned, weight_on
 from rockeom.structures.evaluation import gravity_of
 
 STILL = np.empty((0, 7))

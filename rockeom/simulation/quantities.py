@@ -24,8 +24,16 @@ from rockeom.simulation.works import Works, names_of_losses, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
-from rockeom.structures.lean import RESERVE, has_barrier, names_of_leans, of_leans
-from rockeom.structures.positions import places, positions_of, rotations_of, size_of_place
+from rockeom.structures.positions import (
+    RESERVE,
+    has_barrier,
+    names_of_leans,
+    of_leans,
+    places,
+    positions_of,
+    rotations_of,
+    size_of_place,
+)
 from rockeom.structures.units import dimensioned, ground_accelerations, main_units
 
 PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"

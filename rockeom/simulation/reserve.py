@@ -23,13 +23,17 @@ def describe_tilt(
     """The largest tilt and the least reserve of a body in space, and the azimuths of both."""
     text = f"Largest tilt: {with_degrees(tilt.maximum, 'rad')}"
     if tilt.maximum > 0.0:
-        text += f" towards {math.degrees(direction):.3g} degrees at {tilt.maximum_time:.4g} s"
+        text += f" towards {_in_degrees(direction)} at {tilt.maximum_time:.4g} s"
     if reserve is None:
         return f"{text}."
     part = max(1.0 - reserve.minimum, 0.0)
     left = f"{100 * reserve.minimum:.3g} %" if part < 1.0 else "none"
-    where = f", towards {math.degrees(towards):.3g} degrees" if part else ""
+    where = f", towards {_in_degrees(towards)}" if part else ""
     return f"{text}. Largest tilt/barrier: {part:.3g}{where}. Reserve: {left}."
+
+
+def _in_degrees(azimuth: float) -> str:
+    return f"{round(math.degrees(azimuth), 1) + 0.0:g} degrees"
 
 
 class Reserve(NamedTuple):

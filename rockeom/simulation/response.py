@@ -32,8 +32,8 @@ from rockeom.simulation.ties import YIELDS, Samples as OfTie, TieRecord, states_
 from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.structures.lean import DIRECTION, RESERVE, TILT
 from rockeom.structures.pickled import made_of
+from rockeom.structures.positions import DIRECTION, RESERVE, TILT
 from rockeom.structures.searched_modes import assumption
 from rockeom.structures.slope import uplift_accelerations
 from rockeom.structures.units import is_dimensionless
@@ -448,7 +448,6 @@ class Response:
         str
             Text of several lines.
         """
-        m = self.structure.module
         sloping = f" on a slope of {with_degrees(self.slope, 'rad')}" if self.slope else ""
         if self.azimuth:
             sloping = f" at an azimuth of {with_degrees(self.azimuth, 'rad')}"

@@ -22,11 +22,18 @@ from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.numbers.pictures import picture
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
-from rockeom.structures.lean import barriers, has_barrier
 from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
-from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
+from rockeom.structures.positions import (
+    Shapes,
+    barriers,
+    has_barrier,
+    places,
+    positions_of,
+    rotations_of,
+    shapes,
+)
 from rockeom.structures.slope import OnSlope, on_slope
 from rockeom.structures.units import ground_accelerations
 

@@ -29,8 +29,13 @@ from rockeom.simulation.ground import COMPONENTS, PARTS, Ground
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
-from rockeom.structures.lean import RESERVE, names_of_leans, of_leans, stands_on_feet
-from rockeom.structures.positions import size_of_place
+from rockeom.structures.positions import (
+    RESERVE,
+    names_of_leans,
+    of_leans,
+    size_of_place,
+    stands_on_feet,
+)
 from rockeom.structures.units import time_unit, with_unit
 from rockeom.sweeps.case_numbers import Number, numbers_named, numbers_of, with_numbers
 from rockeom.sweeps.tangents import Tangents, of_problem

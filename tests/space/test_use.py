@@ -206,7 +206,7 @@ def test_the_saddle_is_over_the_edge_nearest_to_the_centroid(name):
     body = BODIES[name]
     places = body.positions({})
     feet = np.array([(places[foot] - places["body"])[:2] for foot in body.module.POINTS])
-    edges = []  # distances, and directions, of the lines through two feet that have all others on one side
+    edges = []  # distances and directions of lines through feet, all others on one side
     for i, j in np.ndindex(len(feet), len(feet)):
         normal = np.array([feet[j] - feet[i]]) @ [[0.0, -1.0], [1.0, 0.0]]
         beyond = (feet - feet[i]) @ normal[0]
