@@ -158,8 +158,8 @@ class Recording:
         -----
         Networks count azimuths clockwise from north, and rockeom counter-clockwise from the first
         component. Here is the border: a second component that the azimuths of both put clockwise of
-        the first one, as 270 after 180, is mirrored. Without azimuths in files or names it is taken
-        for counter-clockwise.
+        the first one, as 270 after 180, is mirrored. Without azimuths in files or names it counts
+        as counter-clockwise.
 
         Examples
         --------

@@ -15,7 +15,7 @@ _FLIES = 1e9
 def least_friction(quantities: Quantities, feet: list[str], until: float) -> float:
     """Least coefficient with which none of the feet that never slip would have, up to a time [s].
 
-    Of a foot that holds alone it is |T|/N. Two on an edge may share the force along it in any way
+    It is |T|/N for a foot that holds alone. Two on an edge may share the force along it in any way
     that fits the friction of both. For more it is that of all together. inf where a foot presses
     on nothing and yet has to hold.
     """

@@ -33,6 +33,7 @@ from rockeom.structures.positions import (
     positions_of,
     rotations_of,
     size_of_place,
+    stands_on_feet,
 )
 from rockeom.structures.units import dimensioned, ground_accelerations, main_units
 
@@ -75,7 +76,7 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
         WORKS: [(name, "J") for name in (*names_of_works(module), *names_of_losses(module))],
         OF_ANGLE: [(RATIO, "-")],
         LEAN: [(name, "rad") for names in names_of_leans(module).values() for name in names],
-        OF_TILT: [(RESERVE, "-")],
+        OF_TILT: [(RESERVE, "-")] * stands_on_feet(module),
     }
     families_of = {}
     for family, names in of.items():

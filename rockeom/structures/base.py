@@ -864,7 +864,7 @@ class Structure(metaclass=explained.Constructors):
         -------
         ndarray
             Tilts (n,) [rad]. The least of all directions is over an edge: a body that leans over a
-            corner below its barrier may fall over an edge beside it.
+            corner below its barrier may fall over an edge next to it.
 
         Raises
         ------
@@ -876,7 +876,7 @@ class Structure(metaclass=explained.Constructors):
         >>> import rockeom as rk
         >>> statue = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)  # m, kg
         >>> statue.overturning_tilts([0.0, 0.9]).round(3)  # rad
-        array([0.165, 0.278])
+        array([0.165, 0.279])
         """
         if not has_barrier(self):
             raise InputError("directions").says(

@@ -117,9 +117,9 @@ def simulate_many(
     "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the acceleration
     and time of any motion and of the vertical one with it, and "pga", for which both are scaled; of
     the impact law, such as "r", or "restitution", the ratio e of the angular velocities; "initial
-    theta" of a state; "duration". A name that two parts of the case have is written with the part,
-    as "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and
-    "initial" are those parts as a whole.
+    theta" of a state; "duration"; "azimuth" of a structure in space. A name that two parts of the
+    case have is written with the part, as "motion.amplitude" and "vertical.amplitude". "motion",
+    "structure", "vertical", "impact" and "initial" are those parts as a whole.
 
     The result of a function must follow from its arguments alone. It is called for many cases at
     once, with arguments that calculate like numbers and hold the values of all; the threads call it

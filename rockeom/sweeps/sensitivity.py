@@ -147,8 +147,9 @@ def sensitivity(
         "frequency"; those of the impact law, such as "r"; "restitution", the ratio e of the angular
         velocities, of a law of one ratio; "initial theta" of a state that `initial` names, or any
         state of a structure whose feet do not slip; "scale", a factor of the ground's acceleration,
-        and "time_scale", one of its time, both of the vertical motion, too; "duration". A name that
-        two parts have is one of "structure.height" and "impact.height".
+        and "time_scale", one of its time, both of the vertical motion, too; "duration"; "azimuth" of
+        a structure in space. A name that two parts have is one of "structure.height" and
+        "impact.height".
     options : SolverOptions, optional
         Choices of the integration; the defaults if not given.
 
@@ -350,7 +351,8 @@ def quantity_of(module: Any, name: str, mode: int, y: np.ndarray, p: np.ndarray)
     out = np.zeros(_SIZES[function](module), dtype=object)
     getattr(of_compounds(module), function)(mode, y, p, out)
     if function == "positions":
-        return of_leans(module, out.reshape(len(module.POSITIONS), -1))[name]
+        with np.errstate(all="ignore"):  # upright a direction, and its derivatives, are NaN
+            return of_leans(module, out.reshape(len(module.POSITIONS), -1))[name]
     return sum(out[first:last])
 
 

@@ -380,6 +380,25 @@ def test_derivatives_through_impacts_are_those_of_differences(laws):
     np.testing.assert_allclose(slopes.derivatives / largest, differences / largest, atol=1e-4)
 
 
+def test_derivatives_pass_uplift_idle_feet_jams_corners_and_rest():
+    def case(width):
+        body = rk.Prism(width=width, depth=0.7, height=3.0, mass=2000.0)
+        return rk.Case(
+            body, 1.5 * rk.Recording("El Centro", EL_CENTRO[:2], EL_CENTRO[2]), duration=4.0
+        )
+
+    kinds = {event.kind for event in rk.simulate(case(0.5), options=TIGHT).events}
+    assert {"idle", "lifting", "landing", "released", "rest"} <= kinds
+    slopes = rk.sensitivity(
+        case(0.5), of=["end tilt", "end yaw", "tilt at 0.5"], to=["width"], options=TIGHT
+    )
+    h = 1e-6
+    ends = [rk.simulate(case(0.5 + x), options=TIGHT) for x in (h, -h)]
+    tilts, yaws = ([run.at(4.0, names=[n])[n] for run in ends] for n in ("tilt", "yaw"))
+    right = [(tilts[0] - tilts[1]) / (2 * h), (yaws[0] - yaws[1]) / (2 * h), 0.0]
+    np.testing.assert_allclose(slopes.derivatives[:, 0], right, rtol=1e-3)
+
+
 def test_what_has_no_derivative_is_refused():
     case = rk.Case(STATUE, RECORDING, duration=1.0, initial=LEANS)
     with pytest.raises(ValueError, match="there are derivatives of"):
