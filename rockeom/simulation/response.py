@@ -485,7 +485,11 @@ class Response:
         reserve = self.extremes(RESERVE) if RESERVE in self.units else None
         times = [tilt.maximum_time, reserve.minimum_time if reserve else 0.0]
         towards = self._quantities.at(np.array(times), "right", [DIRECTION])[DIRECTION]
-        return [describe_tilt(tilt, towards[0], reserve, towards[1]), f"{self.impacts.describe()}."]
+        line = f"{self.impacts.describe()}."
+        if "yaw" in self.states:
+            turned = round(self.final["yaw"] - self["yaw"][0], 9) + 0.0  # what is less is rounding
+            line = f"Turn about the vertical: {with_degrees(turned, 'rad')}; {line}"
+        return [describe_tilt(tilt, towards[0], reserve, towards[1]), line]
 
     def _why(self) -> str:
         """The coordinate that fell, where several may; or the assumption that failed."""

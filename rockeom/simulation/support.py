@@ -298,8 +298,9 @@ class Support:
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
         alone = self.foot_friction_demand
-        together = " Both are of all feet together: single ones needed "
-        together += "more than any." if math.isinf(alone) else f"{alone:.3g} under forces."
+        together = f" Both are of all feet together: single ones needed {alone:.3g} under forces."
+        if math.isinf(alone):
+            together = " Both are of all feet together: none would have held single ones."
         names, kinds = self._structure.module.MODES, self._events.columns.kinds
         freed = [
             names[after].count("_released") - names[before].count("_released")

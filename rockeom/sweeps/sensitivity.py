@@ -147,8 +147,8 @@ def sensitivity(
         "frequency"; those of the impact law, such as "r"; "restitution", the ratio e of the angular
         velocities, of a law of one ratio; "initial theta" of a state that `initial` names, or any
         state of a structure whose feet do not slip; "scale", a factor of the ground's acceleration,
-        and "time_scale", one of its time, both of the vertical motion, too; "duration"; "azimuth" of
-        a structure in space. A name that two parts have is one of "structure.height" and
+        and "time_scale", one of its time, both of the vertical motion, too; "duration"; "azimuth"
+        of a structure in space. A name that two parts have is one of "structure.height" and
         "impact.height".
     options : SolverOptions, optional
         Choices of the integration; the defaults if not given.

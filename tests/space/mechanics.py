@@ -71,7 +71,7 @@ def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
     for row in np.unique(rows):
         t, mode = float(run.t[row]), str(run.mode[row])
         state = dict(zip(run.states, run.y[row].tolist(), strict=True))
-        pushed = [float(motion.acceleration(t)) for motion in motions_of(run)]
+        pushed = shaking_of(run, t)
         ways = ("", "transverse_", "vertical_")
         shaking = {f"{w}ground_acceleration": a for w, a in zip(ways, pushed, strict=True)}
         moves = structure.accelerations(state, mode=mode, **shaking)
@@ -90,6 +90,13 @@ def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
         size = weight * np.array([1.0] * 3 + [body.length] * 3)
         if (np.abs(lacking) > CLOSE * size).any():
             yield f"forces at {t:.6g} s in {mode} lack {lacking}"
+
+
+def shaking_of(run: rk.Response, t: float) -> list[float]:
+    """Accelerations of the ground along the axes of a structure that is turned."""
+    x, y, up = (float(motion.acceleration(t)) for motion in motions_of(run))
+    cos, sin = np.cos(run.azimuth), np.sin(run.azimuth)
+    return [cos * x + sin * y, cos * y - sin * x, up]
 
 
 def motions_of(run: rk.Response) -> tuple[rk.GroundMotion, ...]:

@@ -36,7 +36,10 @@ def drawn(seed: int) -> tuple[rk.Response, bool, float]:
         start = start if smooth else {n: x for n, x in start.items() if "dot" not in n}
     peaks = 9.81 * size * np.array([1.5, 1.5, 1.0])
     motions = [rk.GroundMotion.from_array(a * rng.normal(size=150), dt=0.02) for a in peaks]
-    run = rk.simulate(body, motions[0], transverse=motions[1], vertical=motions[2], initial=start)
+    run = rk.simulate(
+        body, motions[0], transverse=motions[1], vertical=motions[2], initial=start,
+        azimuth=rng.uniform(-3, 3),
+    )  # fmt: skip
     return run, smooth, restitution
 
 
