@@ -102,8 +102,8 @@ def check_contacts(of: ContactDeclaration) -> None:
         )
     _tilts(of)
     if of.contacts:
-        _are_in_space(of) if axes == {3} else _are_in_plane(of)
         _roll(of)
+        _are_in_space(of) if axes == {3} else _are_in_plane(of)
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
             raise ModelError(
