@@ -205,7 +205,18 @@ class Contact:
         return self.slip if isinstance(self.slip, tuple) else (self.slip,)
 
     def now(self, expr: sp.Expr) -> sp.Expr:
-        """An expression with the material that is at the point."""
+        """Expression with the material that is at the point.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression that may hold symbols of `material`.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression without them.
+        """
         return expr.xreplace(dict(self.material)) if self.material else expr
 
     @property

@@ -27,6 +27,7 @@ from rockeom.symbolic.contacts import Contact, Rigid
 from rockeom.symbolic.model import Body, Coordinate, Point, Tilt
 
 _ORIGIN = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
+_FLAT = sp.Rational(1, 10**9)
 
 
 @dataclass(frozen=True)
@@ -305,20 +306,20 @@ def rim(
     valid.expressions("rim", radius=radius)
     middle = at.at(tuple(centre))
     places = {axis: sp.Symbol(rf"\chi_{{{name} {axis}}}", real=True) for axis in "xy"}
-    sine, values = sine_of_tilt(at), {}
+    sine, values = _sine_of_tilt(at), {}
     for i, place in enumerate(places.values()):
         values[place] = centre[i] - radius * at.rotation[2, i] / sine
     x, y, _ = at.at((*places.values(), centre[2]))
     return Contact(name, middle[2] - radius * sine, (x, y), law, material=values)
 
 
-def sine_of_tilt(at: Frame) -> sp.Expr:
+def _sine_of_tilt(at: Frame) -> sp.Expr:
     """Sine of the angle of z of a frame from the vertical, with all digits where it is small."""
     return sp.sqrt(at.rotation[2, 0] ** 2 + at.rotation[2, 1] ** 2)
 
 
 @explained.calls()
-def flat(at: Frame, least: sp.Expr = sp.Rational(1, 10**9)) -> dict[str, sp.Expr]:
+def flat(at: Frame, least: sp.Expr = _FLAT) -> dict[str, sp.Expr]:
     """Bound at which a round base lies flat, where no point of its rim is the lowest.
 
     Only a motion in a plane comes to it: after it the opposite point would strike. With any
@@ -336,7 +337,7 @@ def flat(at: Frame, least: sp.Expr = sp.Rational(1, 10**9)) -> dict[str, sp.Expr
     dict of str to sympy.Expr
         What `bounds` of a model takes.
     """
-    return {"flat": sine_of_tilt(at) - least}
+    return {"flat": _sine_of_tilt(at) - least}
 
 
 @explained.calls()
