@@ -60,6 +60,7 @@ def _points(text: Text, of: ContactDeclaration) -> None:
             for e in followed
             for slope in (*(contact.now(e.diff(c.position)) for c in coordinates), *_still(of))
         ]
+        # of a rim as they come: by cosines, as `tidy` may write it, a small tilt has no digits
         for j, e in enumerate([followed[0], *rates, *biases, *slopes]):
             targets[f"out[{size * i + j}]"] = e if contact.material else tidy(e)
     text.function(

@@ -190,6 +190,7 @@ def kinematics(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
             _, *slips = c.at(c.side)
             along = ("_x", "_y") if len(slips) > 1 else ("",)
             values |= {f"{c.name}_slip{w}": moved(s) for w, s in zip(along, slips, strict=True)}
+    # by cosines, as `tidy` may write them, small tilts have no digits
     rolls = {f"{c.name}_uplift" for c in contacts if c.material}
     return {name: e if name in rolls else tidy(e) for name, e in values.items()}
 
