@@ -33,6 +33,7 @@ _NAMES_OF = {
     "rockeom.modelling.facade": ("Facade",),
     "rockeom.modelling.held_block": ("HeldBlock",),
     "rockeom.modelling.isolated": ("IsolatedBlocks",),
+    "rockeom.modelling.rolling": ("RollingCylinder",),
     "rockeom.modelling.standing": ("LeggedStatue", "Prism"),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
@@ -141,6 +142,7 @@ if TYPE_CHECKING:
     from rockeom.modelling.held_block import HeldBlock as HeldBlock
     from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
+    from rockeom.modelling.rolling import RollingCylinder as RollingCylinder
     from rockeom.modelling.standing import LeggedStatue as LeggedStatue, Prism as Prism
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (

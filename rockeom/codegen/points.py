@@ -52,16 +52,17 @@ def _points(text: Text, of: ContactDeclaration) -> None:
     still = {c.acceleration: 0 for c in coordinates}
     size = 1 + (3 if of.by_code else 2) * (2 + text.n)
     for i, contact in enumerate(of.contacts):
-        gap, *slips = contact.at(contact.side)
-        rates = [rate(e, coordinates) for e in (gap, *slips)]
+        followed = contact.followed
+        rates = [contact.now(rate(e, coordinates)) for e in followed]
         biases = [rate(e, coordinates).subs(still) for e in rates]
         slopes = [
             slope
-            for e in (gap, *slips)
-            for slope in (*(sp.diff(e, c.position) for c in coordinates), *_still(of))
+            for e in followed
+            for slope in (*(contact.now(e.diff(c.position)) for c in coordinates), *_still(of))
         ]
-        for j, e in enumerate([gap, *rates, *biases, *slopes]):
-            targets[f"out[{size * i + j}]"] = tidy(e)
+        # of a rim as they come: by cosines, as `tidy` may write it, a small tilt has no digits
+        for j, e in enumerate([followed[0], *rates, *biases, *slopes]):
+            targets[f"out[{size * i + j}]"] = e if contact.material else tidy(e)
     text.function(
         "points(y, p, out)",
         f"""For each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.

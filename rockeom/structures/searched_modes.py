@@ -118,7 +118,13 @@ def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarra
 def _fill(module: SearchedModes, states: np.ndarray, p: np.ndarray, every: np.ndarray) -> None:
     """The rows of states (k, N) into every (k, ...); of many at once, the same bits, sooner."""
     if len(states) == 1:
-        for_arrays(module, states, p).points(states[0], p, every[0])
+        try:
+            for_arrays(module, states, p).points(states[0], p, every[0])
+        except ZeroDivisionError:
+            raise InputError("state", of=module.NAME).says(
+                "no point is the lowest in this state, as of a round base that lies flat: give one "
+                "in which it leans"
+            ) from None
         return
     out = np.zeros(every.shape[1], dtype=object)
     try:

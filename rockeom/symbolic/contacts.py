@@ -162,6 +162,10 @@ class Contact:
     place : tuple of (sympy.Expr, sympy.Expr), optional
         Place (x, y), next to the ground at rest; (slip, gap) if not given, as for a point above
         level ground. Sketches show it there.
+    material : dict of sympy.Symbol to sympy.Expr, optional
+        Of a point whose material changes, as that of a rim that rolls: symbols in `slip` that say
+        where in its body the point is, each with its value, a function of the coordinates. Rates of
+        the slip are those of the material, for which the symbols are constants.
     """
 
     name: str
@@ -170,6 +174,7 @@ class Contact:
     law: Rigid
     side: int = 0
     place: Point | None = None
+    material: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         what = f"contact {self.name!r}"
@@ -186,11 +191,38 @@ class Contact:
                 f"{what}: its law is {self.law!r}: give Rigid(restitution, friction) or Pinned(), "
                 "both of rockeom.symbolic"
             )
+        for symbol, value in self.material.items():
+            valid.symbols(what, **{f"material {symbol}": symbol})
+            valid.expressions(what, **{f"material {symbol}": value})
 
     @property
     def slips(self) -> tuple[sp.Expr, ...]:
         """Its slip; in space along x and y."""
+        return tuple(map(self.now, self._declared_slips))
+
+    @property
+    def _declared_slips(self) -> tuple[sp.Expr, ...]:
         return self.slip if isinstance(self.slip, tuple) else (self.slip,)
+
+    def now(self, expr: sp.Expr) -> sp.Expr:
+        """Expression with the material that is at the point.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression that may hold symbols of `material`.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression without them.
+        """
+        return expr.xreplace(dict(self.material)) if self.material else expr
+
+    @property
+    def followed(self) -> tuple[sp.Expr, ...]:
+        """Gap and slip of a point of the material, which `now` makes that of the contact."""
+        return tuple(at_side(e, self.side) for e in (self.gap, *self._declared_slips))
 
     def at(self, side: sp.Expr | int) -> tuple[sp.Expr, ...]:
         """Gap and slip, the side put in.

@@ -182,13 +182,17 @@ def kinematics(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
         for foot in sorted(mode.feet):
             values[f"{foot}_uplift"] = moved(mode.feet[foot].position[1])
         return values | mode.quantities_in("m")
-    points = [(c.name, *c.at(c.side)) for c in model.search.of.contacts]
-    values |= {f"{name}_uplift": gap for name, gap, *_ in points}
+    contacts = model.search.of.contacts
+    values |= {f"{c.name}_uplift": c.at(c.side)[0] for c in contacts}
     values |= {f"{e.name}_{e.outputs[1]}": e.output_displacement for e, _ in switching(model)}
-    for name, _, *slips in points:
-        along = ("_x", "_y") if len(slips) > 1 else ("",)
-        values |= {f"{name}_slip{w}": moved(s) for w, s in zip(along, slips, strict=True)}
-    return {name: tidy(e) for name, e in values.items()}
+    for c in contacts:
+        if not c.material:  # what rolls has rates of slips, and no slip
+            _, *slips = c.at(c.side)
+            along = ("_x", "_y") if len(slips) > 1 else ("",)
+            values |= {f"{c.name}_slip{w}": moved(s) for w, s in zip(along, slips, strict=True)}
+    # by cosines, as `tidy` may write them, small tilts have no digits
+    rolls = {f"{c.name}_uplift" for c in contacts if c.material}
+    return {name: e if name in rolls else tidy(e) for name, e in values.items()}
 
 
 def statics(model: HybridModel, mode: Mode) -> tuple[sp.Expr, ...]:

@@ -27,6 +27,7 @@ from rockeom.symbolic.contacts import Contact, Rigid
 from rockeom.symbolic.model import Body, Coordinate, Point, Tilt
 
 _ORIGIN = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
+_FLAT = sp.Rational(1, 10**9)
 
 
 @dataclass(frozen=True)
@@ -264,6 +265,79 @@ def feet(at: Frame, places: Mapping[str, Point], law: Rigid) -> tuple[Contact, .
         x, y, z = at.at(tuple(place))
         contacts.append(Contact(name, z, (x, y), law))
     return tuple(contacts)
+
+
+@explained.calls()
+def rim(
+    at: Frame, radius: sp.Expr, law: Rigid, centre: Point = _ORIGIN, name: str = "rim"
+) -> Contact:
+    """Rim of a round base, whose lowest point may touch level ground, z = 0.
+
+    Without friction it slips freely; else it rolls without slip: the velocity of the material at
+    the lowest point is zero, which integrates to no function of the coordinates. Lying flat, it has
+    no lowest point: see `flat`.
+
+    Parameters
+    ----------
+    at : Frame
+        Frame of the body, z along its axis.
+    radius : sympy.Expr
+        Radius of the rim.
+    law : Rigid
+        Contact law, with friction=None or friction=0.
+    centre : tuple of (sympy.Expr, sympy.Expr, sympy.Expr), optional
+        Place of the rim's centre in the frame.
+    name : str, optional
+        Name of the contact.
+
+    Returns
+    -------
+    Contact
+        Lowest point.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from rockeom.symbolic import Rigid, space
+    >>> height, pitch, b = sp.symbols("z theta b")
+    >>> space.rim(space.frame(0, pitch, 0, origin=(0, 0, height)), b, Rigid()).gap
+    -b*sqrt(sin(theta)**2) + z
+    """
+    valid.expressions("rim", radius=radius)
+    middle = at.at(tuple(centre))
+    places = {axis: sp.Symbol(rf"\chi_{{{name} {axis}}}", real=True) for axis in "xy"}
+    sine, values = _sine_of_tilt(at), {}
+    for i, place in enumerate(places.values()):
+        values[place] = centre[i] - radius * at.rotation[2, i] / sine
+    x, y, _ = at.at((*places.values(), centre[2]))
+    return Contact(name, middle[2] - radius * sine, (x, y), law, material=values)
+
+
+def _sine_of_tilt(at: Frame) -> sp.Expr:
+    """Sine of the angle of z of a frame from the vertical, with all digits where it is small."""
+    return sp.sqrt(at.rotation[2, 0] ** 2 + at.rotation[2, 1] ** 2)
+
+
+@explained.calls()
+def flat(at: Frame, least: sp.Expr = _FLAT) -> dict[str, sp.Expr]:
+    """Bound at which a round base lies flat, where no point of its rim is the lowest.
+
+    Only a motion in a plane comes to it: after it the opposite point would strike. With any
+    precession a rim passes flat without an impact, at a least tilt in proportion to it.
+
+    Parameters
+    ----------
+    at : Frame
+        Frame of the body, z along its axis.
+    least : sympy.Expr, optional
+        Sine of the tilt that counts as none.
+
+    Returns
+    -------
+    dict of str to sympy.Expr
+        What `bounds` of a model takes.
+    """
+    return {"flat": _sine_of_tilt(at) - least}
 
 
 @explained.calls()

@@ -102,6 +102,7 @@ def check_contacts(of: ContactDeclaration) -> None:
         )
     _tilts(of)
     if of.contacts:
+        _roll(of)
         _are_in_space(of) if axes == {3} else _are_in_plane(of)
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
@@ -173,6 +174,23 @@ def _are_in_space(of: ContactDeclaration) -> None:
         )
     if len(of.contacts) > (most := MOST_POINTS_IN_SPACE):
         raise ModelError(f"it has {len(of.contacts)} contacts: declare at most {most} in space")
+
+
+def _roll(of: ContactDeclaration) -> None:
+    """A rim rolls without slip or slips freely, and a bound ends the motion where it lies flat."""
+    for c in of.contacts:
+        if not c.material:
+            continue
+        if len(c.slips) != 2 or not (c.law.friction is None or c.law.frictionless):
+            raise ModelError(
+                f"contact {c.name!r} rolls, with the friction {c.law.friction}: in space a rim "
+                "rolls without slip, friction=None, or slips freely, friction=0"
+            )
+        if not of.bounds:
+            raise ModelError(
+                f"contact {c.name!r} is a rim, which has no lowest point where it lies flat: give "
+                "`bounds=space.flat(frame)`"
+            )
 
 
 def _reserved_symbols(of: ContactDeclaration) -> None:

@@ -146,7 +146,9 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
         law = (
             f"`{contact.name}`: restitution ${notation.plain(sp.sympify(contact.law.restitution))}$"
         )
-        if friction is None:
+        if friction is None and contact.material:
+            law += ", it rolls without slip: the velocity of the material there is zero"
+        elif friction is None:
             law += ", it never slips"
         elif contact.law.frictionless:
             law += ", no friction"
