@@ -14,6 +14,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.solids import Solid, box
 
 Place = tuple[float, float]
 
@@ -142,6 +143,12 @@ class Prism(_StandingBody):
     @property
     def derivation(self) -> dict[str, Any]:
         return {"slips": _slips("Prism", self.friction, self.restitution)}
+
+    @property
+    def solids(self) -> dict[str, Solid]:
+        middle = self.height / 2 - self.parameters()["centroid_height"]
+        at = (-self.offset_x, -self.offset_y, middle)
+        return {"body": box(self.width, self.depth, self.height, at)}
 
     def parameters(self) -> dict[str, float]:
         lengths = {"xx": self.width, "yy": self.depth, "zz": self.height}

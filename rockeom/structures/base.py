@@ -27,6 +27,7 @@ from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.structures.slope import OnSlope, on_slope
+from rockeom.structures.solids import Solid
 from rockeom.structures.units import ground_accelerations
 
 
@@ -794,6 +795,11 @@ class Structure(metaclass=explained.Constructors):
     def shapes(self) -> Shapes:
         """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
         return shapes(self.module, self.vector)
+
+    @property
+    def solids(self) -> Mapping[str, Solid]:
+        """Surfaces of its bodies in space, by name, for pictures; bodies without one have legs."""
+        return {}
 
     @property
     def uplift_acceleration(self) -> float | None:

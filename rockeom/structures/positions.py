@@ -104,9 +104,9 @@ def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:
     m, drawn, pairs = structure.module, structure.shapes, []
     joined = {name for member in drawn.members for name in (member.start, member.end)}
     moved = np.array([y, y + 0.01 * np.arange(1, len(y) + 1)])
-    at = places(m, np.array([mode, mode]), moved, structure.vector)[..., :2]
+    at = places(m, np.array([mode, mode]), moved, structure.vector)[..., : len(ground_axes(m))]
     for i, j in np.ndindex(len(m.POSITIONS), len(m.POSITIONS)):
-        body, lengths = m.POSITIONS[i], np.hypot(*(at[:, i] - at[:, j]).T)
+        body, lengths = m.POSITIONS[i], np.hypot.reduce(at[:, i] - at[:, j], axis=1)
         alone = m.POSITION_KINDS[i] in BODIES and body not in {*joined, *drawn.outlines}
         foot = m.POSITION_KINDS[j] not in NO_FEET
         if alone and foot and abs(lengths[1] - lengths[0]) <= 1e-9 * lengths[0]:
