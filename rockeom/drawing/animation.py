@@ -363,8 +363,8 @@ class Animation:
 
     def _history(self, figure: Figure, height: float) -> Line2D:
         """The tilt against time below the drawing, and the line that stands at a frame."""
-        body = most_tilted(self.run)
-        tilt, _ = tilts(rotations_of(self.run.structure.module, self._poses)[body])
+        turns = rotations_of(self.run.structure.module, self._poses)
+        tilt, _ = tilts(turns[most_tilted(turns)])
         ax = figure.add_axes((0.13, (_BOTTOM + 0.42) / height, 0.83, (_HISTORY - 0.5) / height))
         ax.plot(self.times, tilt, color=style.LINES[0], lw=0.9)
         ax.set(xlim=self.times[[0, -1]], ylim=(0.0, 1.08 * tilt.max() or 1.0))

@@ -1,5 +1,7 @@
 """Motions in space seen from above: tracks of the feet, and tilt against its direction."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -13,11 +15,11 @@ from rockeom.integrator.schema import in_space
 from rockeom.numbers.checks import InputError, InputTypeError, require_word
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import NO_FEET, legs
+from rockeom.structures.positions import NO_FEET, legs, places, positions_of, rotations_of
 
 _TOUCHES = 1e-9  # part of the size of the base: a gap below is rounding
 _SLIDES = 1e-7  # and a way below
-_DIRECTIONS = np.linspace(0.0, 2 * np.pi, 721)
+AZIMUTHS = np.linspace(0.0, 2 * np.pi, 721)
 
 
 @style.styled
@@ -57,7 +59,9 @@ def plot_tracks(run: Response, *, ax: Axes | None = None) -> Figure:
     """
     _check_spatial(run)
     m, at = run.structure.module, run.places.positions()
-    feet = [n for n, k in zip(m.POSITIONS, m.POSITION_KINDS, strict=True) if k not in NO_FEET]
+    kinds = zip(m.POSITIONS, m.POSITION_KINDS, strict=True)
+    feet = [name for name, kind in kinds if kind not in NO_FEET]
+    feet.sort(key=lambda name: name not in style.FEET)  # their colours as in plot_response
     if not feet:
         raise InputError("run").says(f"{style.name_of(run)} has no feet, and they leave no tracks")
     if ax is None:
@@ -132,7 +136,7 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
     _check_spatial(run)
     turns = run.places.rotations()
     if body is None:
-        body = most_tilted(run)
+        body = most_tilted(turns)
     require_word("body", body, turns.keys())
     if ax is None:
         ax = _titled(4.4, 4.8, run).add_subplot(projection="polar")
@@ -140,20 +144,19 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
         raise InputTypeError("ax", ax).give('polar axes, plt.subplot(projection="polar")')
     tilt, _ = tilts(turns[body])
     direction = np.arctan2(-turns[body][:, 2, 1], -turns[body][:, 2, 0])
-    surface = balance_tilts(run.structure, body, _DIRECTIONS)
+    surface = balance_tilts(run.structure, body, AZIMUTHS)
     if np.isfinite(surface).all():
-        ax.plot(_DIRECTIONS, surface, "--", color=style.INK, lw=1.0, label="balance")
+        ax.plot(AZIMUTHS, surface, "--", color=style.INK, lw=1.0, label="balance")
     reach = float(surface.max() if np.isfinite(surface).all() else tilt.max()) or 1.0
     limit = min(max(1.1 * reach, 1.05 * float(tilt.max())), 1.6 * reach)
     until = np.append(np.flatnonzero(tilt > limit), len(tilt))[0] + 1  # where it leaves the picture
     tilt, direction = np.minimum(tilt[:until], limit), direction[:until]
-    ax.plot(direction, tilt, color=style.LINES[0], lw=0.9, label="tilt")
+    ax.plot(direction, tilt, color=style.LINES[0], lw=0.9, label="tilt [rad]")
     ax.plot(direction[:1], tilt[:1], "o", color=style.LINES[0], ms=4, label="start")
     style.mark_overturning(ax, run, tilt, direction, style.LINES[0])
     ax.set_ylim(0.0, limit)
     ax.yaxis.set_major_locator(MaxNLocator(3))
-    ax.set_xlabel("tilt [rad] against the azimuth to which it leans")
-    ax.legend(loc="lower left", bbox_to_anchor=(-0.12, -0.12))
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=4, columnspacing=1.2)
     return style.parent_figure(ax)
 
 
@@ -171,9 +174,8 @@ def tilts(turns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
 
 
-def most_tilted(run: Response) -> str:
-    """The body that tilts most."""
-    turns = run.places.rotations()
+def most_tilted(turns: Mapping[str, np.ndarray]) -> str:
+    """The body that tilts most, of matrices (n, 3, 3) by name."""
     return max(turns, key=lambda body: float(tilts(turns[body])[0].max()))
 
 
@@ -182,9 +184,10 @@ def balance_tilts(structure: Structure, body: str, directions: np.ndarray) -> np
 
     NaN where neither feet nor a surface say what its base is.
     """
-    m, upright = structure.module, structure.state({})
-    at, turns = structure.positions({}), structure.rotations({})
-    pairs = legs(structure, structure.mode_number(upright), upright)
+    m, upright = structure.module, np.zeros(structure.module.N_STATES)  # at any height
+    (pose,) = places(m, np.array([0]), upright[None], structure.vector)
+    at, turns = positions_of(m, pose), rotations_of(m, pose)
+    pairs = legs(structure, 0, upright)
     feet = [at[m.POSITIONS[j]] for i, j in pairs if m.POSITIONS[i] == body]
     arms = (np.reshape(feet, (-1, 3)) - at[body]) @ turns[body]
     if not feet and body in structure.solids:

@@ -107,10 +107,6 @@ class Scene:
 
     # -- bodies
 
-    def at(self, body: str, points: np.ndarray) -> np.ndarray:
-        """(n, 3) places of points of a body."""
-        return points @ self.rotations[body].T + self.places[body]
-
     def _faces(self, ax: Axes) -> None:
         """All faces that look at the viewer, and their edges, the nearest last."""
         polygons: list[np.ndarray] = []
@@ -136,7 +132,7 @@ class Scene:
     def _seen(self, body: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Vertices (n, 2) of a body in the picture, how near they are (n,), normals (m, 3)."""
         solid = self.structure.solids[body]
-        vertices = self.at(body, solid.vertices)
+        vertices = self._vertices(body)
         normals = solid.normals @ self.rotations[body].T
         return self.view.of(vertices), vertices @ self.view.towards, normals
 
@@ -145,18 +141,24 @@ class Scene:
         lamp = _LAMP @ np.array(self.view) / np.linalg.norm(_LAMP)
         return 0.74 + 0.26 * np.clip(normals @ lamp, 0.0, 1.0)
 
-    def _frame(self, ax: Axes, body: str) -> None:
-        """A body of no known shape: the plate between its feet, its legs and its centroid."""
-        centre = self.view.of(self.places[body])
+    def _vertices(self, body: str) -> np.ndarray:
+        """(n, 3) places of the vertices of a body; of its feet and centroid where it has none."""
+        if body in self.structure.solids:
+            solid = self.structure.solids[body]
+            return solid.vertices @ self.rotations[body].T + self.places[body]
         feet = [self.places[foot] for owner, foot in self.legs if owner == body]
-        if not feet:
+        if not feet:  # where its axis meets the ground
             axis = self.rotations[body][:, 2]
             feet = [self.places[body] - axis * self.places[body][2] / max(axis[2], 0.1)]
-        flat = self.view.of(np.array(feet))
-        for corner in flat:
-            ax.plot(*np.transpose([centre, corner]), color=style.LINES[0], lw=1.8, zorder=4.5)
-        ring = hull_of(flat)
-        ax.fill(*flat[ring].T, fc=free_body.BODY, ec=style.LINES[0], alpha=0.85, lw=1.0, zorder=4)
+        return np.array([*feet, self.places[body]])
+
+    def _frame(self, ax: Axes, body: str) -> None:
+        """A body of no known shape: the plate between its feet, its legs and its centroid."""
+        *feet, centre = self.view.of(self._vertices(body))
+        for foot in feet:
+            ax.plot(*np.transpose([centre, foot]), color=style.LINES[0], lw=1.8, zorder=4.5)
+        plate = np.array(feet)[hull_of(np.array(feet))].T
+        ax.fill(*plate, fc=free_body.BODY, ec=style.LINES[0], alpha=0.85, lw=1.0, zorder=4)
         free_body.mass(ax, centre, size=11.0)
 
     def _is_hidden(self, foot: str) -> bool:
@@ -193,8 +195,8 @@ class Scene:
                 [self._level(np.array(ends)) for ends in lines], colors=_GRID, lw=0.6, zorder=1.5
             )
         )
-        for name, solid in self.structure.solids.items():
-            plan = self.at(name, solid.vertices)[:, :2]
+        for name in self.rotations:
+            plan = self._vertices(name)[:, :2]
             ax.fill(*self._level(plan[hull_of(plan)]).T, fc=_SHADOW, lw=0, zorder=2)
         self._axes(ax, ring, step)
 
@@ -206,7 +208,7 @@ class Scene:
         for name, way in zip("xyz", np.eye(3), strict=True):
             along = self.view.of(way)
             if (size := np.hypot(*along)) > 0.1:
-                tip = start + 0.2 * np.ptp(self.points, axis=0).max() * along
+                tip = start + 0.3 * np.ptp(ring, axis=0).max() * along
                 free_body.arrow(ax, start, tip, name, color=style.INK, offset=7 * along / size)
         unit = self.structure.module.STATE_UNITS[0]
         x, y = flat[flat[:, 1].argmin()].tolist()

@@ -144,7 +144,7 @@ def plain(text: str) -> str:
 
 def name_of(run: Response) -> str:
     """Name of the structure, in words."""
-    return run.structure.module.NAME.replace("_", " ")
+    return run.structure.model.replace("_", " ")
 
 
 def title_of(run: Response) -> str:

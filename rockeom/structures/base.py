@@ -796,7 +796,7 @@ class Structure(metaclass=explained.Constructors):
         """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
         return shapes(self.module, self.vector)
 
-    @property
+    @functools.cached_property
     def solids(self) -> Mapping[str, Solid]:
         """Surfaces of its bodies in space, by name, for pictures; bodies without one have legs."""
         return {}

@@ -17,7 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 _SIDES = 48  # of the polygon that is drawn for a circle
-_CREASE = np.cos(np.pi / 6)  # an edge between faces that differ by more is drawn
+_CREASE, _CREASE_OF_MANY = np.cos(np.radians([30.0, 70.0]))
+"""Edges between faces that differ by more are drawn; of surfaces of many faces those by far more."""
+_MANY = 300
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +59,8 @@ class Solid:
         last = np.append(first[1:], len(ends)) - 1
         of = np.column_stack([owners[first], owners[last]])
         turns = np.einsum("ij,ij->i", self.normals[of[:, 0]], self.normals[of[:, 1]])
-        return ends[first], of, (turns < _CREASE) | (first == last)
+        crease = _CREASE if len(self.faces) < _MANY else _CREASE_OF_MANY
+        return ends[first], of, (turns < crease) | (first == last)
 
 
 def solid(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> Solid:
