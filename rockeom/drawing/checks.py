@@ -3,7 +3,7 @@
 from typing import Any
 
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.numbers.checks import InputError, require_type
+from rockeom.numbers.checks import require_type
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 

@@ -1,6 +1,7 @@
 """Motions in space seen from above: tracks of the feet, and tilt against its direction."""
 
 from collections.abc import Mapping
+from typing import cast
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -138,9 +139,8 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
     if body is None:
         body = most_tilted(turns)
     require_word("body", body, turns.keys())
-    if ax is None:
-        ax = _titled(4.4, 4.8, run).add_subplot(projection="polar")
-    elif not isinstance(ax, PolarAxes):
+    ax = ax or cast(PolarAxes, _titled(4.4, 4.8, run).add_subplot(projection="polar"))
+    if not isinstance(ax, PolarAxes):
         raise InputTypeError("ax", ax).give('polar axes, plt.subplot(projection="polar")')
     tilt, _ = tilts(turns[body])
     direction = np.arctan2(-turns[body][:, 2, 1], -turns[body][:, 2, 0])

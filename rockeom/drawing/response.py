@@ -167,7 +167,7 @@ def _tilt(ax: Axes, run: Response) -> None:
     for (body, turns), stroke in zip(bodies.items(), style.strokes(style.OTHERS), strict=False):
         tilt, _ = tilts(turns)
         name = "tilt" if len(bodies) == 1 else style.plain(body.replace("_", " "))
-        ax.plot(run.t, tilt, label=f"{name}, largest {tilt.max():.3g} rad", **stroke)
+        ax.plot(run.t, tilt, label=f"{name}, largest {tilt.max():.3g} rad", **stroke)  # type: ignore[arg-type]
         style.mark_overturning(ax, run, tilt, color=stroke["color"])
     least = balance_tilts(run.structure, most_tilted(bodies), AZIMUTHS).min()
     if least < ax.get_ylim()[1]:
@@ -184,9 +184,9 @@ def _turns(run: Response) -> list[str]:
 
 
 def _yaw(ax: Axes, run: Response) -> None:
-    names = _turns(run)
-    shown = {name: style.symbol(name) for name in names}
-    draw_curves(ax, run, shown, names[0] if len(names) == 1 else "turn", style.strokes(style.OTHERS))
+    shown = {name: style.symbol(name) for name in _turns(run)}
+    what = next(iter(shown)) if len(shown) == 1 else "turn"
+    draw_curves(ax, run, shown, what, style.strokes(style.OTHERS))
 
 
 def _others(run: Response, unit: str) -> list[str]:
@@ -259,9 +259,8 @@ def _contacts(ax: Axes, run: Response) -> None:
         zip(contacts.values(), style.strokes(_OF_CONTACTS), strict=False)
     ):
         slides, idle = np.isin(states, (SLIP_LEFT, SLIP_RIGHT)), states == IDLE_POINT
-        for spans, top, color in (
-            (states > 0, 0.1, stroke["color"]), (slides, 0.6, "k"), (idle, 0.1, "0.8"),
-        ):  # fmt: skip
+        lane_of = [(states > 0, 0.1, stroke["color"]), (slides, 0.6, "k")]
+        for spans, top, color in lane_of + [(idle, 0.1, "0.8")] * bool(idle.any()):
             bars = style.bars(style.spans_in(run, spans))
             ax.broken_barh(bars, (lane + top, 0.9 - top), facecolor=color, lw=0)
     names = [name.replace("_", " ") for name in contacts]

@@ -1,4 +1,4 @@
-"""A structure in space, in parallel projection: its bodies above the ground, their shadows and feet.
+"""A structure in space, in parallel projection: bodies above the ground, shadows and feet.
 
 Faces that look away are left out, the others are drawn from the farthest to the nearest, as light
 as they face a lamp to the left of the viewer.
@@ -229,7 +229,7 @@ def ring_of(ground: np.ndarray) -> np.ndarray:
 
 
 def corners(structure: Structure, poses: np.ndarray) -> np.ndarray:
-    """(n, k, 3) places, and corners of the boxes around bodies, of what `places` found (n, m, k)."""
+    """(n, k, 3) places and corners of the boxes around bodies, of what `places` gives (n, m, k)."""
     m, points = structure.module, [poses[..., :3]]
     at, turns = positions_of(m, poses), rotations_of(m, poses)
     for name, solid in structure.solids.items():

@@ -46,7 +46,9 @@ from rockeom.version import VERSION
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
 
-_READY = {one.model: one for one in (Boulder, Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism)}
+_READY = {
+    one.model: one for one in (Boulder, Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism)
+}
 _OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""

@@ -30,7 +30,7 @@ class Boulder(LeggedStatue):
         return module_of(LeggedStatue.model, **self.derivation)
 
     @classmethod
-    def from_mesh(  # type: ignore[override]
+    def from_mesh(
         cls,
         path: str | os.PathLike[str],
         *,
@@ -75,8 +75,8 @@ class Boulder(LeggedStatue):
         Notes
         -----
         The support points are the corners of the area below those vertices of the convex hull that
-        are within the bearing height, at most eight, and are put into one plane. How far a boulder leans before it falls depends
-        on them more than on anything else: compare several bearing heights.
+        are within the bearing height, at most eight, and are put into one plane. They decide how
+        far a boulder leans before it falls: compare several bearing heights.
         """
         body = read_body(path, mass, density, scale)
         return cls(

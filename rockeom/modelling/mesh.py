@@ -61,7 +61,8 @@ def read_body(
     the mass and the density; ModuleNotFoundError without trimesh.
     """
     if (mass is None) == (density is None):
-        raise InputError("mass", mass).says("give one of {mass} [kg] and {density} [kg/m3]")
+        given = "neither mass nor density is" if mass is None else "mass and density are both"
+        raise InputError("mass", mass).says(f"{given} given: give one, {{mass}} or {{density}}")
     numbers = {"mass": mass, "density": density, "scale": scale}
     for name, value in numbers.items():
         if value is not None and not 0.0 < number(name, value) < np.inf:
@@ -75,14 +76,16 @@ def read_body(
     inertia = np.array(mesh.moment_inertia) / float(mesh.density) * density * scale**5
     from_lowest = centroid - [0.0, 0.0, vertices[:, 2].min()]
     tensor = (inertia + inertia.T) / 2  # exactly symmetric
-    return MeshBody(density * volume, from_lowest, tensor, vertices - centroid, np.array(mesh.faces))
+    return MeshBody(
+        density * volume, from_lowest, tensor, vertices - centroid, np.array(mesh.faces)
+    )
 
 
 def _read(path: str | os.PathLike[str]) -> Any:
     """The mesh of a file; raises InputError for one that bounds no body."""
     check_path(path)
     if (ending := Path(path).suffix.lower().removeprefix(".")) not in FORMATS:
-        raise _refused(path, f"is no mesh by its name: give one of {', '.join(FORMATS)}")
+        raise _refused(path, f"it is no mesh by its name: give one of {', '.join(FORMATS)}")
     if not Path(path).is_file():
         raise FileNotFoundError(f"{path}: there is no such file")
     try:
@@ -96,34 +99,36 @@ def _read(path: str | os.PathLike[str]) -> Any:
         mesh: Any = trimesh.load_mesh(os.fspath(path), file_type=ending)
         empty = not len(mesh.faces)
     except Exception as error:  # of a parser, whatever the file has in it
-        raise _refused(path, f"is no {ending.upper()} file: {error}") from error
+        raise _refused(path, f"it cannot be read ({error}): export it again") from error
     if empty:
-        raise _refused(path, f"has no faces: export the surface again, as {ending.upper()}")
+        raise _refused(path, "it has no faces: export the surface again")
     if not np.isfinite(mesh.vertices).all():
-        raise _refused(path, "has vertices that are not finite: export it again")
+        raise _refused(path, "it has vertices that are not finite: export it again")
     edges = np.unique(np.sort(mesh.edges, axis=1), axis=0, return_counts=True)[1]
     if (edges != 2).any():
         raise _refused(
             path,
-            f"is not closed: {int((edges != 2).sum())} of its {len(edges)} edges belong to other "
-            "than two faces. Close the holes, and remove double faces, in a mesh editor",
+            f"it is not closed, {int((edges != 2).sum())} of its {len(edges)} edges belong to "
+            "other than two faces: close its holes and remove double faces in a mesh editor",
         )
     if not mesh.is_winding_consistent:
         raise _refused(
-            path, "has faces that look outward and others inward: recompute its normals outward"
+            path, "some faces look outward, others inward: recompute normals outward in an editor"
         )
     if not mesh.volume > 0.0:
-        raise _refused(path, "is inside out, its volume is not positive: flip its normals")
+        raise _refused(path, "it is inside out, its volume is not positive: flip its normals")
     return mesh
 
 
 def _refused(path: str | os.PathLike[str], why: str) -> InputError:
-    error = InputError("path", path, "from_mesh").says(f"{path} {why}")
+    error = InputError("path", path, "from_mesh").says(why)
     error.file = path
     return error
 
 
-def support_points(of: MeshBody, bearing_height: float, kind: str) -> dict[str, tuple[float, float]]:
+def support_points(
+    of: MeshBody, bearing_height: float, kind: str
+) -> dict[str, tuple[float, float]]:
     """Places along x and y of the points on which a body stands, counter-clockwise from above.
 
     The corners of the area below those vertices of the convex hull that are within the bearing

@@ -16,7 +16,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
-from rockeom.structures.solids import Solid, box, solid
+from rockeom.structures.positions import Solid, box, solid
 
 Place = tuple[float, float]
 
@@ -233,7 +233,7 @@ class LeggedStatue(_StandingBody):
         scale: float = 1.0,
         **others: Any,
     ) -> Self:
-        """Homogeneous body of a closed surface in a file, on feet at the height of its lowest point.
+        """Homogeneous body of a closed surface in a file, on feet as low as its lowest point.
 
         Parameters
         ----------

@@ -25,9 +25,8 @@ from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, d
 from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
-from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
+from rockeom.structures.positions import Shapes, Solid, places, positions_of, rotations_of, shapes
 from rockeom.structures.slope import OnSlope, on_slope
-from rockeom.structures.solids import Solid
 from rockeom.structures.units import ground_accelerations
 
 
