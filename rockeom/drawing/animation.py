@@ -24,7 +24,7 @@ from PIL import Image
 
 from rockeom.drawing import film, free_body, style
 from rockeom.drawing.checks import check_drawn
-from rockeom.drawing.plan import most_tilted, tilts
+from rockeom.drawing.plan import tilts_of
 from rockeom.drawing.scene import (
     LOOKS,
     VIEW,
@@ -364,7 +364,7 @@ class Animation:
     def _history(self, figure: Figure, height: float) -> Line2D:
         """The tilt against time below the drawing, and the line that stands at a frame."""
         turns = rotations_of(self.run.structure.module, self._poses)
-        tilt, _ = tilts(turns[most_tilted(turns)])
+        (tilt, *_) = tilts_of(turns).values()
         ax = figure.add_axes((0.13, (_BOTTOM + 0.42) / height, 0.83, (_HISTORY - 0.5) / height))
         ax.plot(self.times, tilt, color=style.LINES[0], lw=0.9)
         ax.set(xlim=self.times[[0, -1]], ylim=(0.0, 1.08 * tilt.max() or 1.0))

@@ -137,7 +137,7 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
     _check_spatial(run)
     turns = run.places.rotations()
     if body is None:
-        body = most_tilted(turns)
+        body = next(iter(tilts_of(turns)))
     require_word("body", body, turns.keys())
     ax = ax or cast(PolarAxes, _titled(4.4, 4.8, run).add_subplot(projection="polar"))
     if not isinstance(ax, PolarAxes):
@@ -174,9 +174,14 @@ def tilts(turns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
 
 
-def most_tilted(turns: Mapping[str, np.ndarray]) -> str:
-    """The body that tilts most, of matrices (n, 3, 3) by name."""
-    return max(turns, key=lambda body: float(tilts(turns[body])[0].max()))
+def tilts_of(turns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Tilts (n,) of bodies by name, of matrices (n, 3, 3), that of the one that tilts most first.
+
+    Those that never tilt are left out, unless none does.
+    """
+    found = {body: tilts(of)[0] for body, of in turns.items()}
+    most = sorted(found, key=lambda body: -found[body].max())
+    return {name: found[name] for name in most if found[name].any() or name == most[0]}
 
 
 def balance_tilts(structure: Structure, body: str, directions: np.ndarray) -> np.ndarray:
@@ -184,16 +189,16 @@ def balance_tilts(structure: Structure, body: str, directions: np.ndarray) -> np
 
     NaN where neither feet nor a surface say what its base is.
     """
-    m, upright = structure.module, np.zeros(structure.module.N_STATES)  # at any height
-    (pose,) = places(m, np.array([0]), upright[None], structure.vector)
+    m, any_state = structure.module, np.full(structure.module.N_STATES, 1e-3)
+    (pose,) = places(m, np.array([0]), any_state[None], structure.vector)
     at, turns = positions_of(m, pose), rotations_of(m, pose)
-    pairs = legs(structure, 0, upright)
+    pairs = legs(structure, 0, any_state)
     feet = [at[m.POSITIONS[j]] for i, j in pairs if m.POSITIONS[i] == body]
     arms = (np.reshape(feet, (-1, 3)) - at[body]) @ turns[body]
-    if not feet and body in structure.solids:
+    if len(feet) < 3 and body in structure.solids:  # on a rim
         arms = structure.solids[body].vertices
         arms = arms[arms[:, 2] <= arms[:, 2].min() + _TOUCHES * np.ptp(arms)]
-    if not len(arms):
+    if len(arms) < 3:
         return np.full(len(directions), np.nan)
     reach = arms[:, :2] @ np.array([np.cos(directions), np.sin(directions)])
     return np.arctan2(reach.max(axis=0), -arms[:, 2].min())

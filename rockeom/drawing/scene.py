@@ -31,6 +31,7 @@ _LAMP = np.array([-0.45, 0.65, 0.6])  # to the left, upwards, towards the viewer
 _BODY = np.array(to_rgb("#d3e5f6"))
 _SHADOW, _GROUND, _GRID = "0.80", "0.965", "0.88"
 _HIDDEN = 0.35  # opacity of a foot behind a face
+_TOUCHES = 1e-9  # a gap below this part of the size is rounding
 _EDGE_ON = 1e-9  # a face that looks less at the viewer is not seen
 
 
@@ -77,11 +78,15 @@ class Scene:
         self.structure, self.view = structure, view_from(view)
         (pose,) = places(m, np.array([mode]), y[None], structure.vector)
         self.places, self.rotations = positions_of(m, pose), rotations_of(m, pose)
-        kinds = zip(m.POSITIONS, m.POSITION_KINDS, strict=True)
-        self.feet = {name: work_of(m, name, mode) for name, kind in kinds if kind not in NO_FEET}
+        self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
         self.legs = [(m.POSITIONS[i], m.POSITIONS[j]) for i, j in legs(structure, mode, y)]
         self.points = corners(structure, pose[None])[0]
         self.ground = ground_under(self.points) if ground is None else ground
+        self.feet = {
+            name: self._work(name, mode)
+            for name, kind in self.kinds.items()
+            if kind not in NO_FEET or kind == "massless"  # that of a rim, where it is
+        }
 
     @property
     def closed_feet(self) -> list[str]:
@@ -98,12 +103,20 @@ class Scene:
             raise InputError("slope", slope).says("ground in space is level: leave the slope out")
         self._floor(ax)
         self._faces(ax)
-        for name in self.rotations.keys() - self.structure.solids.keys():
-            self._frame(ax, name)
+        for name in self.rotations:
+            if name not in self.structure.solids and self.kinds[name] != "massless":
+                self._frame(ax, name)
         for name, work in self.feet.items():
             (at,), opacity = self.feet_at(name), _HIDDEN if self._is_hidden(name) else 1.0
             ax.plot(*at, mec=style.INK, mew=0.8, alpha=opacity, zorder=6, ls="", **LOOKS[work])  # type: ignore[arg-type]
         ax.autoscale_view()
+
+    def _work(self, foot: str, mode: int) -> str:
+        """The word of `LOOKS` for a foot in a mode."""
+        if foot in getattr(self.structure.module, "POINTS", ()):
+            return work_of(self.structure.module, foot, mode)
+        above = self.places[foot][2] / np.ptp(self.points, axis=0).max()
+        return "bears" if above < _TOUCHES else "open"
 
     # -- bodies
 
@@ -229,8 +242,11 @@ def ring_of(ground: np.ndarray) -> np.ndarray:
 
 
 def corners(structure: Structure, poses: np.ndarray) -> np.ndarray:
-    """(n, k, 3) places and corners of the boxes around bodies, of what `places` gives (n, m, k)."""
-    m, points = structure.module, [poses[..., :3]]
+    """(n, k, 3) places, those below on the ground, and corners of the boxes around bodies.
+
+    poses (n, m, k) : of `places`.
+    """
+    m, points = structure.module, [poses[..., :3], poses[..., :3] * [1.0, 1.0, 0.0]]
     at, turns = positions_of(m, poses), rotations_of(m, poses)
     for name, solid in structure.solids.items():
         ends = np.array([solid.vertices.min(axis=0), solid.vertices.max(axis=0)])
@@ -243,14 +259,14 @@ def ground_under(points: np.ndarray) -> np.ndarray:
     """(2, 2) least and greatest x and y of the ground under points (..., 3), and a way beyond."""
     plan = points.reshape(-1, points.shape[-1])
     low, high = plan[:, :2].min(axis=0), plan[:, :2].max(axis=0)
-    beyond = max(0.35 * (high - low).max(), 0.15 * float(np.ptp(plan, axis=0).max()))
+    size = float(np.ptp(plan, axis=0).max()) or 1.0
+    beyond = max(0.35 * (high - low).max(), 0.15 * size)
     return np.array([low - beyond, high + beyond])
 
 
 def work_of(module: Any, foot: str, mode: int) -> str:
-    """The word of `LOOKS` for a foot in a mode."""
-    points = getattr(module, "POINTS", ())
-    state = module.POINT_STATES[mode][points.index(foot)] if foot in points else OPEN
+    """The word of `LOOKS` for a point in a mode."""
+    state = module.POINT_STATES[mode][module.POINTS.index(foot)]
     return {OPEN: "open", IDLE_POINT: "idle"}.get(state, "bears")
 
 
