@@ -43,7 +43,7 @@ from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, number, require
 from rockeom.simulation.response import Response
-from rockeom.structures.positions import places, rotations_of
+from rockeom.structures.positions import places
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -363,12 +363,14 @@ class Animation:
 
     def _history(self, figure: Figure, height: float) -> Line2D:
         """The tilt against time below the drawing, and the line that stands at a frame."""
-        turns = rotations_of(self.run.structure.module, self._poses)
-        (tilt, *_) = tilts_of(turns).values()
+        run = self.run
+        (tilt, *_) = tilts_of(run.places.rotations()).values()
+        (shown,) = np.nonzero((self.times[0] <= run.t) & (run.t <= self.times[-1]))
+        tilt = tilt[shown]
         ax = figure.add_axes((0.13, (_BOTTOM + 0.42) / height, 0.83, (_HISTORY - 0.5) / height))
-        ax.plot(self.times, tilt, color=style.LINES[0], lw=0.9)
+        ax.plot(run.t[shown], tilt, color=style.LINES[0], lw=0.9)
         ax.set(xlim=self.times[[0, -1]], ylim=(0.0, 1.08 * tilt.max() or 1.0))
-        ax.set(xlabel=style.time_label(self.run), ylabel="tilt [rad]")
+        ax.set(xlabel=style.time_label(run), ylabel="tilt [rad]")
         ax.yaxis.set_major_locator(MaxNLocator(3))
         return ax.axvline(float(self.times[0]), color=style.LINES[1], lw=1.2)
 
@@ -420,6 +422,7 @@ def _signs(animation: Animation) -> list[Line2D]:
             for mode in np.unique(animation.modes)
             for foot in getattr(module, "POINTS", ())
         }
+        works.update(["bears"] * ("massless" in module.POSITION_KINDS))  # of a rim
         signs += [_sign(work, ls="", **look) for work, look in LOOKS.items() if work in works]
     elif {"foot", "point"} & {*module.POSITION_KINDS}:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))

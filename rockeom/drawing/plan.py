@@ -46,9 +46,10 @@ def plot_tracks(run: Response, *, ax: Axes | None = None) -> Figure:
 
     Notes
     -----
-    Places are relative to the ground. Thick lines are the ways that a foot slid, dots the places at
-    which it came down, thin lines its ways through the air. The base is dashed where it was at the
-    start, and drawn through where it is at the end.
+    Places are relative to the ground. Thick lines are the ways of a foot on the ground, dots the
+    places at which it came down, thin lines its ways through the air; the legend has the length of
+    its way on the ground, or how far it is from its place at the end. The base is dashed where it
+    was at the start, and drawn through where it is at the end.
 
     Examples
     --------
@@ -61,31 +62,18 @@ def plot_tracks(run: Response, *, ax: Axes | None = None) -> Figure:
     _check_spatial(run)
     m, at = run.structure.module, run.places.positions()
     kinds = zip(m.POSITIONS, m.POSITION_KINDS, strict=True)
-    feet = [name for name, kind in kinds if kind not in NO_FEET]
+    feet = [name for name, kind in kinds if kind not in NO_FEET or kind == "massless"]
     feet.sort(key=lambda name: name not in style.FEET)  # their colours as in plot_response
     if not feet:
         raise InputError("run").says(f"{style.name_of(run)} has no feet, and they leave no tracks")
-    if ax is None:
-        ax = _titled(5.4, 5.4, run).add_subplot()
-    places = np.stack([at[foot] for foot in feet], axis=1)
-    size = float(np.ptp(places[0], axis=0).max())
+    ax = ax or _titled(5.4, 5.4, run).add_subplot()
+    size = float(np.ptp([places[0] for places in at.values()], axis=0).max())
     for line, moment in (((0, (4, 3)), 0), ("-", -1)):
-        ring = places[moment][hull_of(places[moment, :, :2]), :2]
-        ax.fill(*ring.T, fc="none", ec=style.INK, ls=line, lw=0.8, zorder=1)
-    factor, unit = style.length_scale(run)
-    for i, (foot, stroke) in enumerate(zip(feet, style.strokes(style.LINES), strict=False)):
-        x, y, gap = places[:, i].T
-        touches, color = gap <= _TOUCHES * size, stroke["color"]
-        down = touches & ~np.append(False, touches[:-1])
-        slid = np.hypot(np.diff(x), np.diff(y))[touches[1:] & touches[:-1]].sum()
-        what = "moved" if slid < _SLIDES * size else "slid"
-        way = np.hypot(x[-1] - x[0], y[-1] - y[0]) if what == "moved" else slid
-        name = f"{foot.replace('_', ' ')}, {what} {style.digits(factor * way)} {unit}"
-        ax.plot(x, y, color=color, lw=0.7, alpha=0.5)
-        shown = np.where(touches, 1.0, np.nan)
-        ax.plot(x * shown, y * shown, color=color, lw=2.2, solid_capstyle="round")
-        ax.plot(x[down], y[down], "o", color=color, mec="w", mew=0.5, ms=4.5, label=name, zorder=3)
-    unit = m.STATE_UNITS[0]
+        base = np.array([at[foot][moment, :2] for foot in feet])
+        ax.fill(*base[hull_of(base)].T, fc="none", ec=style.INK, ls=line, lw=0.8, zorder=1)
+    for foot, stroke in zip(feet, style.strokes(style.LINES), strict=False):
+        _track(ax, run, foot, size, stroke["color"])
+    unit = "-" if style.is_dimensionless(run) else "m"
     ax.set(xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]")
     ax.set_aspect("equal", adjustable="datalim")
     style.legend_above(ax)
@@ -158,6 +146,22 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
     ax.yaxis.set_major_locator(MaxNLocator(3))
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=4, columnspacing=1.2)
     return style.parent_figure(ax)
+
+
+def _track(ax: Axes, run: Response, foot: str, size: float, color: str) -> None:
+    """The track of a foot of a structure of some size; its legend has how far it went."""
+    x, y, above = run.places.positions()[foot].T
+    touches = above <= _TOUCHES * size
+    down = touches & ~np.append(False, touches[:-1])
+    way, word = np.hypot(np.diff(x), np.diff(y))[touches[1:] & touches[:-1]].sum(), "on the ground"
+    if way < _SLIDES * size:
+        way, word = np.hypot(x[-1] - x[0], y[-1] - y[0]), "from its place"
+    factor, unit = style.length_scale(run)
+    name = f"{foot.replace('_', ' ')}, {factor * way:.3g} {unit} {word}"
+    ax.plot(x, y, color=color, lw=0.7, alpha=0.5)
+    shown = np.where(touches, 1.0, np.nan)
+    ax.plot(x * shown, y * shown, color=color, lw=2.2, solid_capstyle="round")
+    ax.plot(x[down], y[down], "o", color=color, mec="w", mew=0.5, ms=4.5, label=name, zorder=3)
 
 
 def _titled(width: float, height: float, run: Response) -> Figure:

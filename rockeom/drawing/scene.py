@@ -18,6 +18,7 @@ from rockeom.drawing.plan import hull_of
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.structures.base import Structure
 from rockeom.structures.positions import NO_FEET, legs, places, positions_of, rotations_of
+from rockeom.structures.units import is_dimensionless
 
 VIEW = (np.radians(-65.0), np.radians(22.0))
 """Azimuth and elevation of the viewer: x to the right, y to the back, z upwards."""
@@ -125,9 +126,10 @@ class Scene:
         polygons: list[np.ndarray] = []
         depths, fills, strokes = [np.empty(0)], [np.empty((0, 3))], [np.empty((0, 3))]
         for name, solid in self.structure.solids.items():
-            flat, depth, normals = self._seen(name)
+            flat, _, normals = self._seen(name)
             lit = normals @ self.view.towards > _EDGE_ON
-            far, shade = depth[solid.faces].mean(axis=1), _BODY * self._shades(normals)[:, None]
+            far = (self.places[name] + solid.centres @ self.rotations[name].T) @ self.view.towards
+            shade = _BODY * self._shades(normals)[:, None]
             ends, of, sharp = solid.edges
             drawn = lit[of].any(axis=1) & (sharp | ~lit[of].all(axis=1))
             polygons += [*flat[solid.faces[lit]], *flat[ends[drawn]]]
@@ -223,10 +225,10 @@ class Scene:
             if (size := np.hypot(*along)) > 0.1:
                 tip = start + 0.3 * np.ptp(ring, axis=0).max() * along
                 free_body.arrow(ax, start, tip, name, color=style.INK, offset=7 * along / size)
-        unit = self.structure.module.STATE_UNITS[0]
+        unit = "" if is_dimensionless(self.structure.module) else " m"
         x, y = flat[flat[:, 1].argmin()].tolist()
         ax.annotate(
-            f"grid {style.digits(step)}" + f" {unit}" * (unit == "m"), (x, y), xytext=(0, -7),
+            f"grid {style.digits(step)}{unit}", (x, y), xytext=(0, -7),
             textcoords="offset points", fontsize=7.5, color="0.45", ha="center", va="center",
         )  # fmt: skip
 

@@ -105,6 +105,12 @@ class Solid:
         return areas / np.where(lengths > 0.0, lengths, 1.0)
 
     @functools.cached_property
+    def centres(self) -> np.ndarray:
+        """(m, 3) means of the corners."""
+        once = np.diff(self.faces, axis=1, prepend=-1)[..., None] != 0
+        return (self.vertices[self.faces] * once).sum(axis=1) / once.sum(axis=1)
+
+    @functools.cached_property
     def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Vertices (e, 2) and faces (e, 2) of each edge, and whether it is a crease (e,)."""
         ends = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=-1).reshape(-1, 2)

@@ -248,7 +248,7 @@ def test_tracks_of_smooth_feet_are_as_long_as_the_ground_has_moved_below_them():
     for name, place in FEET.items():
         (dots,) = (x for x in ax.lines if str(x.get_label()).startswith(name))
         np.testing.assert_allclose(dots.get_xydata()[0], place, atol=1e-12)
-        assert f"slid {1e3 * np.hypot(*far):.3g} mm" in dots.get_label()
+        assert f"{1e3 * np.hypot(*far):.3g} mm on the ground" in dots.get_label()
     ends = [line.get_xydata()[-1] for line in ax.lines if line.get_linewidth() == 2.2]
     for end in ends:
         assert min(np.hypot(*(end - far - place)) for place in FEET.values()) < 1e-9
