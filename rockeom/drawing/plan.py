@@ -19,7 +19,7 @@ from rockeom.structures.base import Structure
 from rockeom.structures.positions import NO_FEET, legs, places, positions_of, rotations_of
 
 _TOUCHES = 1e-9  # part of the size of the base: a gap below is rounding
-_SLIDES = 1e-7  # and a way below
+_SLIDES = 1e-4  # and a way on the ground below is not told
 AZIMUTHS = np.linspace(0.0, 2 * np.pi, 721)
 
 
@@ -157,7 +157,7 @@ def _track(ax: Axes, run: Response, foot: str, size: float, color: str) -> None:
     if way < _SLIDES * size:
         way, word = np.hypot(x[-1] - x[0], y[-1] - y[0]), "from its place"
     factor, unit = style.length_scale(run)
-    name = f"{foot.replace('_', ' ')}, {factor * way:.3g} {unit} {word}"
+    name = f"{foot.replace('_', ' ')}, {style.digits(factor * way)} {unit} {word}"
     ax.plot(x, y, color=color, lw=0.7, alpha=0.5)
     shown = np.where(touches, 1.0, np.nan)
     ax.plot(x * shown, y * shown, color=color, lw=2.2, solid_capstyle="round")

@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+import trimesh
 
 import rockeom as rk
 from rockeom.codes import MOST_POINTS_IN_SPACE
@@ -106,36 +107,19 @@ def test_a_boulder_stands_on_the_corners_of_its_lowest_points(tmp_path):
 
 
 def test_a_round_base_has_the_eight_points_that_take_most_area(tmp_path):
-    at = 2 * np.pi * np.arange(24) / 24
-    ring = np.column_stack([np.cos(at), np.sin(at), 0 * at])
-    vertices = np.vstack([ring, [(0, 0, 0), (0, 0, 1)]])
-    after = np.roll(np.arange(24), -1)
-    faces = [(24, j, i) for i, j in enumerate(after)] + [(i, j, 25) for i, j in enumerate(after)]
-    cone = rk.Boulder.from_mesh(written(tmp_path / "cone.obj", vertices, faces), mass=10.0)
+    trimesh.creation.cone(1.0, 1.0, sections=24).export(tmp_path / "cone.obj")
+    cone = rk.Boulder.from_mesh(tmp_path / "cone.obj", mass=10.0)
     assert len(cone.feet) == MOST_POINTS_IN_SPACE
     least = balance_tilts(cone, "body", np.linspace(0, 2 * np.pi, 721)).min()
     assert np.tan(least) == pytest.approx(np.cos(np.pi / 6) / 0.25)  # its sides: 30 and 60 degrees
 
 
 def test_a_fine_surface_is_drawn_coarser_and_keeps_its_size(tmp_path):
-    n = 60
-    at, up = np.meshgrid(2 * np.pi * np.arange(n) / n, np.pi * np.arange(1, n) / n)
-    sphere = np.stack([np.cos(at) * np.sin(up), np.sin(at) * np.sin(up), np.cos(up)], axis=-1)
-    ends = n * (n - 1), n * (n - 1) + 1
-    rows = []
-    for i in range(n - 2):
-        for j in range(n):
-            a, b = i * n + j, i * n + (j + 1) % n
-            rows += [(a, a + n, b), (b, a + n, b + n)]
-    rows += [(ends[0], j, (j + 1) % n) for j in range(n)]
-    rows += [(ends[1], (n - 2) * n + (j + 1) % n, (n - 2) * n + j) for j in range(n)]
-    vertices = np.vstack([sphere.reshape(-1, 3), [(0, 0, 1), (0, 0, -1)]])
-    statue = rk.LeggedStatue.from_mesh(
-        written(tmp_path / "ball.ply", vertices, rows), mass=10.0,
-        feet={"one": (0.3, 0.0), "two": (-0.2, 0.3), "three": (-0.2, -0.3)},
-    )  # fmt: skip
+    trimesh.creation.icosphere(subdivisions=4).export(tmp_path / "ball.ply")
+    feet = {"one": (0.3, 0.0), "two": (-0.2, 0.3), "three": (-0.2, -0.3)}
+    statue = rk.LeggedStatue.from_mesh(tmp_path / "ball.ply", mass=10.0, feet=feet)
     shown = statue.solids["body"]
-    assert len(rows) > 3000 >= len(shown.faces) > 500
+    assert 5120 > 3000 >= len(shown.faces) > 500
     np.testing.assert_allclose(np.linalg.norm(shown.vertices, axis=1), 1.0, atol=0.06)
     assert np.trace(np.array(statue.inertia)) == pytest.approx(3 * 0.4 * 10.0, rel=1e-2)
 

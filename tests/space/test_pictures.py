@@ -231,9 +231,9 @@ def test_tilt_is_drawn_against_its_direction_seen_from_the_body():
         (ax,) = figure.axes
         (line,) = (line for line in ax.lines if line.get_label() == "tilt [rad]")
         lines.append(line.get_xydata())
-        x, y = line.get_xydata()[0, 1] * np.array([np.cos(line.get_xydata()[0, 0]),
-                                                   np.sin(line.get_xydata()[0, 0])])  # fmt: skip
-        assert (x, y) == (pytest.approx(0.05, rel=1e-2), pytest.approx(-0.02, rel=1e-2))
+        way, tilt = line.get_xydata()[0]
+        leans = tilt * np.cos(way), tilt * np.sin(way)
+        assert leans == pytest.approx((0.05, -0.02), rel=1e-2)
     np.testing.assert_allclose(*(line[:50] for line in lines), atol=1e-4)
 
 
