@@ -19,7 +19,7 @@ from rockeom.structures.base import Structure
 from rockeom.structures.positions import NO_FEET, legs, places, positions_of, rotations_of
 
 _TOUCHES = 1e-9  # part of the size of the base: a gap below is rounding
-_SLIDES = 1e-4  # and a way on the ground below is not told
+_SLIDES = 1e-4  # and a shorter way on the ground is left out
 AZIMUTHS = np.linspace(0.0, 2 * np.pi, 721)
 
 

@@ -15,7 +15,31 @@ from rockeom.modelling.standing import LeggedStatue
 class Boulder(LeggedStatue):
     """Rigid body of any shape in space on the points by which it rests; `from_mesh` finds them.
 
-    It is a `LeggedStatue`, and has its arguments and states; the feet are its support points.
+    It is a `LeggedStatue` whose feet are its support points, and has its states.
+
+    Parameters
+    ----------
+    feet : dict of str to tuple of (float, float)
+        Place of each support point along x and y [m], by its name.
+    centroid : tuple of (float, float, float)
+        Place of the centroid [m], in the same axes, z above the support points.
+    mass : float
+        Mass [kg].
+    inertia : array_like
+        Inertia tensor (3, 3) about the centroid along these axes [kg m2].
+    friction : float, optional
+        As of `LeggedStatue`.
+    restitution : float, optional
+        Ratio of the rates of a point's gap after and before it lands alone, 0 to 1.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    shape : tuple, optional
+        Surface for pictures, as of `LeggedStatue`.
+
+    Raises
+    ------
+    InputError
+        As of `LeggedStatue`.
 
     Examples
     --------

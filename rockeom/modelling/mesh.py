@@ -13,10 +13,35 @@ from scipy.spatial import ConvexHull, QhullError
 from rockeom.codes import MOST_POINTS_IN_SPACE
 from rockeom.files import check_path
 from rockeom.numbers.checks import InputError, installed_by, number
+from rockeom.structures.positions import solid
 
 FORMATS = ("stl", "obj", "ply")
 _MOST_FACES = 3000  # that a picture shows
 _FINEST = 48  # cells along the longest side, of a surface that is drawn coarser
+
+
+class Surface(tuple[Any, ...]):
+    """Vertices and faces of a surface, which are too many to print."""
+
+    def __repr__(self) -> str:
+        return f"<surface of {len(self[1])} faces>"
+
+
+def surface_of(value: Any, kind: str) -> Surface | None:
+    """The surface that an argument `shape` gives, None for none; raises InputError for others."""
+    if value is None:
+        return None
+    try:
+        vertices, faces = value
+        shown = Surface((tuple(map(tuple, vertices)), tuple(map(tuple, faces))))
+        corners = solid(*shown).centres
+    except (TypeError, ValueError, IndexError):
+        corners = np.empty(0)
+    if corners.ndim != 2 or corners.shape[1] != 3 or not np.isfinite(corners).all():
+        raise InputError("shape", value, kind).give(
+            "vertices, [(x, y, z), ...] in m, and faces, [(0, 1, 2), ...], as `from_mesh` does"
+        )
+    return shown
 
 
 class MeshBody(NamedTuple):
@@ -34,7 +59,7 @@ class MeshBody(NamedTuple):
     faces: np.ndarray
 
     @property
-    def shape(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    def shape(self) -> Surface:
         """Vertices and faces of a surface for pictures: of a fine mesh a coarser one.
 
         Vertices of one cell of a grid become one, their mean (Rossignac and Borrel 1993).
@@ -49,7 +74,7 @@ class MeshBody(NamedTuple):
             vertices, faces = vertices / number[:, None], which[self.faces]
             faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
             cells = int(0.8 * cells)
-        return tuple(map(tuple, vertices.tolist())), tuple(map(tuple, faces.tolist()))
+        return Surface(tuple(map(tuple, rows.tolist())) for rows in (vertices, faces))
 
 
 def read_body(
@@ -97,7 +122,7 @@ def _read(path: str | os.PathLike[str]) -> Any:
         ) from error
     try:
         mesh: Any = trimesh.load_mesh(os.fspath(path), file_type=ending)
-        empty = not len(mesh.faces)
+        empty = not len(getattr(mesh, "faces", ()))
     except Exception as error:  # of a parser, whatever the file has in it
         raise _refused(path, f"it cannot be read ({error}): export it again") from error
     if empty:

@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
-from rockeom.modelling.mesh import read_body
+from rockeom.modelling.mesh import read_body, surface_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
@@ -292,6 +292,7 @@ class LeggedStatue(_StandingBody):
         _check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
         rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
         object.__setattr__(self, "inertia", rows)
+        object.__setattr__(self, "shape", surface_of(self.shape, "LeggedStatue"))
         object.__setattr__(self, "feet", tuple((name, tuple(at)) for name, at in feet.items()))
         _check_base("LeggedStatue", value_of(np.array([at for _, at in self._arms])))
         _slips("LeggedStatue", self.friction, self.restitution)

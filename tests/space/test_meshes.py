@@ -131,6 +131,7 @@ def test_a_statue_of_a_mesh_is_kept_and_read_again(tmp_path):
     read = rk.load(tmp_path / "run.nc").structure
     assert read == boulder
     assert isinstance(read, rk.Boulder)
+    assert "<surface of 12 faces>" in repr(read)
     np.testing.assert_array_equal(read.solids["body"].faces, boulder.solids["body"].faces)
 
 
