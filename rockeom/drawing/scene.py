@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
 
-from rockeom.codes import IDLE_POINT, OPEN
+from rockeom.codes import IDLE_POINT, OPEN, SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import free_body, style
 from rockeom.drawing.plan import hull_of
 from rockeom.numbers.checks import InputError, array_of
@@ -24,6 +24,7 @@ VIEW = (np.radians(-65.0), np.radians(22.0))
 """Azimuth and elevation of the viewer: x to the right, y to the back, z upwards."""
 LOOKS = {
     "bears": {"marker": "o", "color": style.LINES[4], "ms": 6.5},
+    "slides": {"marker": "o", "color": style.LINES[3], "ms": 6.5},
     "idle": {"marker": "o", "color": "white", "ms": 6.5},
     "open": {"marker": "o", "color": "0.55", "ms": 4.0},
 }
@@ -269,7 +270,8 @@ def ground_under(points: np.ndarray) -> np.ndarray:
 def work_of(module: Any, foot: str, mode: int) -> str:
     """The word of `LOOKS` for a point in a mode."""
     state = module.POINT_STATES[mode][module.POINTS.index(foot)]
-    return {OPEN: "open", IDLE_POINT: "idle"}.get(state, "bears")
+    works = {OPEN: "open", IDLE_POINT: "idle", SLIP_LEFT: "slides", SLIP_RIGHT: "slides"}
+    return works.get(state, "bears")
 
 
 def _step(size: float) -> float:

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
 from rockeom.files import write
+from rockeom.integrator.schema import in_space
 from rockeom.numbers import explained
 from rockeom.numbers.constants import STANDARD_GRAVITY
 from rockeom.simulation.response import Response
@@ -144,7 +145,9 @@ def plain(text: str) -> str:
 
 def name_of(run: Response) -> str:
     """Name of the structure, in words."""
-    return run.structure.model.replace("_", " ")
+    of = run.structure
+    name = of.model if in_space(of.module) else of.module.NAME  # a boulder is a legged statue
+    return name.replace("_", " ")
 
 
 def title_of(run: Response) -> str:

@@ -1,6 +1,7 @@
 """Pictures of bodies in space: places, hidden faces, feet, tracks and the stability surface."""
 
 import functools
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,9 +12,10 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import plots
+from rockeom.codes import FRICTIONLESS, SLIP_RIGHT
 from rockeom.drawing.animation import ground_displacement
 from rockeom.drawing.plan import balance_tilts, tilts
-from rockeom.drawing.scene import LOOKS, VIEW, Scene
+from rockeom.drawing.scene import LOOKS, VIEW, Scene, work_of
 from rockeom.structures.positions import Solid, box, cylinder, solid
 from tests.space.cases import Case
 from tests.space.test_standing import EL_CENTRO
@@ -122,6 +124,8 @@ def test_feet_show_what_they_do_and_the_one_behind_is_pale():
     np.testing.assert_allclose(pale, [projected(of["north_west"], *VIEW)], atol=1e-12)
     mode = PRISM.module.MODES.index("south_west_south_east_idle_north_east")
     assert Scene(PRISM, state, mode).feet["south_east"] == "idle"
+    rubbing = SimpleNamespace(POINTS=("one", "two"), POINT_STATES=[(SLIP_RIGHT, FRICTIONLESS)])
+    assert [work_of(rubbing, foot, 0) for foot in rubbing.POINTS] == ["slides", "bears"]
 
 
 @pytest.mark.parametrize(
