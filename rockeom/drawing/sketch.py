@@ -67,8 +67,9 @@ def draw_structure(
 
     A structure in space is drawn in parallel projection, with its shadow straight below on the
     ground. Its feet are orange where they bear, pink where they slide with friction, white where
-    they touch and bear nothing, grey and small where they are open, and pale behind a body. A body of no known shape is drawn as the
-    plate between its feet and the legs from there to its centroid.
+    they touch and bear nothing, grey and small where they are open, and pale behind a body. A body
+    of no known shape is drawn as the plate between its feet and the legs from there to its
+    centroid.
 
     Examples
     --------
