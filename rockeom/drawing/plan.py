@@ -151,7 +151,10 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
 def _track(ax: Axes, run: Response, foot: str, size: float, color: str) -> None:
     """The track of a foot of a structure of some size; its legend has how far it went."""
     x, y, above = run.places.positions()[foot].T
+    contacts, (spans, _) = style.contacts(run), run.support.spans
     touches = above <= _TOUCHES * size
+    if foot in contacts:  # while it never slips, its height has an error of integration
+        touches = contacts[foot][np.searchsorted(spans[1:, 0], run.t, side="right")] > 0
     down = touches & ~np.append(False, touches[:-1])
     way, word = np.hypot(np.diff(x), np.diff(y))[touches[1:] & touches[:-1]].sum(), "on the ground"
     if way < _SLIDES * size:
