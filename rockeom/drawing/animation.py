@@ -245,9 +245,10 @@ class Animation:
         for foot in () if self.in_space else sketch.closed_feet:
             for at in self._feet(sketch, foot):
                 free_body.pivot(ax, at)
+        size = 12 if self.in_space else 17  # feet in space are many
         for foot in self._landing(i, sketch):
             for at in self._feet(sketch, foot):
-                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
+                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=size, zorder=10)
         x, y = self.ground[i]
         (left, right), (low, high) = self.limits
         if self.ground.any():
