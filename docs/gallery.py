@@ -170,6 +170,8 @@ PLOTS = {
 block = rk.RigidBlock(half_width=0.2, half_height=0.8)
 released = [rk.simulate(block, still, initial={"theta": at}) for at in (0.24, 0.15)]
 figure = plots.plot_phase_portrait(released, separatrix=True)""",
+    "plot_tracks": "figure = plots.plot_tracks(shaken_prism)",
+    "plot_tilt": "figure = plots.plot_tilt(shaken_prism)",
     "design_report": "figure = plots.design_report(column, [pulse, stronger]).figures()",
     "poincare_section": """\
 found = analysis.dynamics.poincare_sections(
@@ -210,6 +212,9 @@ from rockeom import analysis, plots
 column = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
 run, stiff = (rk.simulate(column, pulse, impact=rk.EnergyRatio(r)) for r in (0.8, 0.95))
 stronger = pulse.scaled(acceleration=1.5)
+
+prism = rk.Prism(width=0.5, depth=0.7, height=2.0, mass=2000.0)
+shaken_prism = rk.simulate(prism, pulse, transverse=0.7 * pulse, initial={"roll": 0.06})
 
 squat = rk.NondimensionalBlock(alpha=np.arctan(0.5))
 

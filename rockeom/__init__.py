@@ -29,6 +29,7 @@ _NAMES_OF = {
     "rockeom.browser.page": ("Explorer", "explorer"),
     "rockeom.numbers.breaks": ("Break",),
     "rockeom.structures.restraints": ("Anchor", "Push", "Strap"),
+    "rockeom.modelling.boulder": ("Boulder",),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.modelling.facade": ("Facade",),
     "rockeom.modelling.held_block": ("HeldBlock",),
@@ -131,6 +132,7 @@ if TYPE_CHECKING:
     from rockeom.browser.lesson import Question as Question
     from rockeom.browser.page import Explorer as Explorer, explorer as explorer
     from rockeom.exports.responses import load as load
+    from rockeom.modelling.boulder import Boulder as Boulder
     from rockeom.modelling.composed import (
         Pinned as Pinned,
         ShearFrame as ShearFrame,

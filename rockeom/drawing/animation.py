@@ -9,6 +9,7 @@ import math
 import os
 import textwrap
 import uuid
+from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -18,12 +19,25 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from rockeom.drawing import film, free_body, style
-from rockeom.drawing.checks import check_drawn, check_planar
+from rockeom.drawing.checks import check_drawn
+from rockeom.drawing.plan import tilts_of
+from rockeom.drawing.scene import (
+    LOOKS,
+    VIEW,
+    Scene,
+    corners,
+    ground_under,
+    ring_of,
+    view_from,
+    work_of,
+)
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
+from rockeom.integrator.schema import in_space
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
@@ -38,6 +52,7 @@ FILES = (".gif", ".html", ".mp4")
 _WIDTH, _DPI = 4.8, 100  # in, dots per in
 _HEIGHTS = 2.6, 6.0  # in
 _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
+_HISTORY = 1.15  # in, of the tilt against time
 
 
 @explained.calls(fps="frames_per_second")
@@ -50,6 +65,7 @@ def animate(
     frames_per_second: float = 20.0,
     speed: float = 1.0,
     ground: bool = True,
+    view: Sequence[float] = VIEW,
 ) -> Animation:
     """Draw the response as an animation, in a file or a notebook.
 
@@ -71,6 +87,9 @@ def animate(
     ground : bool, optional
         Whether the ground moves, by the displacement that follows from its acceleration; else the
         drawing moves with it. Structures in pure numbers are drawn so in any case.
+    view : tuple of (float, float), optional
+        Azimuth from which a structure in space is seen, counter-clockwise from x seen from above,
+        and elevation [rad].
 
     Returns
     -------
@@ -80,15 +99,15 @@ def animate(
     Raises
     ------
     ValueError
-        For times outside the response, more than 2000 frames, other files, and a structure that
-        moves in space.
+        For times outside the response, more than 2000 frames, other files, and a view from below.
     FileNotFoundError
         For .mp4 without ffmpeg.
 
     Notes
     -----
     Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles are
-    feet in contact, stars those that have just landed; the dashed line stands still.
+    feet in contact, stars those that have just landed; the dashed line stands still. In space feet
+    that bear are orange, and the tilt stands below against time.
 
     Examples
     --------
@@ -102,10 +121,9 @@ def animate(
     >>> animation = plots.animate(run, "block.gif")  # doctest: +SKIP
     """
     check_drawn("run", run, Response)
-    check_planar(run.structure)
     if path is not None:
         check_file(path)  # before the frames are drawn
-    made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
+    made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground, view)
     if path is not None:
         check_path(path)
         made.save(path)
@@ -166,16 +184,29 @@ class Animation:
         Factor by which the animation runs faster than real time.
     ground : bool
         Whether the ground moves.
+    view : tuple of (float, float), optional
+        Azimuth and elevation from which a structure in space is seen [rad].
     """
 
-    def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
-        self.run, self.times, self.speed = run, times, speed
+    def __init__(
+        self,
+        run: Response,
+        times: np.ndarray,
+        speed: float,
+        ground: bool,
+        view: Sequence[float] = VIEW,
+    ) -> None:
+        self.run, self.times, self.speed, self.view = run, times, speed, view
         self.states, self.modes = run.steps.at(times, "right")
-        self.ground = np.zeros((len(times), 2))
+        self.in_space = in_space(run.structure.module)
+        motions = (run.motion, *(run.transverse,) * self.in_space, run.vertical)
+        self.ground = np.zeros((len(times), len(motions)))
         if ground and not style.is_dimensionless(run):
-            for i, motion in enumerate((run.motion, run.vertical)):
+            for i, motion in enumerate(motions):
                 if motion is not None:
                     self.ground[:, i] = ground_displacement(motion, times)
+        if self.in_space:
+            self.ground = view_from(view).of(self.ground)
         if run.slope and run.ground_axes == SLOPE:
             self.ground = free_body.turned(self.ground, (0.0, 0.0), run.slope)
 
@@ -209,14 +240,15 @@ class Animation:
         ax : matplotlib.axes.Axes
             Axes.
         """
-        sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
+        sketch = self._sketch(i)
         sketch.draw(ax, self.run.slope)
-        for foot in sketch.closed_feet:
+        for foot in () if self.in_space else sketch.closed_feet:
             for at in self._feet(sketch, foot):
                 free_body.pivot(ax, at)
+        size = 12 if self.in_space else 17  # feet in space are many
         for foot in self._landing(i, sketch):
             for at in self._feet(sketch, foot):
-                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=17, zorder=10)
+                ax.plot(*at, "*", color=style.LINES[1], mec=style.INK, mew=0.5, ms=size, zorder=10)
         x, y = self.ground[i]
         (left, right), (low, high) = self.limits
         if self.ground.any():
@@ -224,7 +256,13 @@ class Animation:
         ax.set(xlim=(left - x, right - x), ylim=(low - y, high - y), aspect="equal")
         ax.axis("off")
 
-    def _feet(self, sketch: Sketch, foot: str) -> np.ndarray:
+    def _sketch(self, i: int) -> Sketch | Scene:
+        structure, y, mode = self.run.structure, self.states[i], int(self.modes[i])
+        if self.in_space:
+            return Scene(structure, y, mode, self.view, self._floor)
+        return Sketch(structure, y, mode)
+
+    def _feet(self, sketch: Sketch | Scene, foot: str) -> np.ndarray:
         """(k, 2) where a foot is drawn, and those of the copies of its body."""
         return free_body.turned(sketch.feet_at(foot), (0.0, 0.0), self.run.slope)
 
@@ -249,7 +287,7 @@ class Animation:
         n = int(np.searchsorted(self.run.impacts.times, self.times[i], side="right"))
         return f"{text}, {n} impact{'s' * (n != 1)}"
 
-    def _landing(self, i: int, sketch: Sketch) -> set[str]:
+    def _landing(self, i: int, sketch: Sketch | Scene) -> set[str]:
         """Feet that met the ground a moment ago."""
         before = self.times[i] - max(FLASH * self.speed, self._step)
         impacts = self.run.impacts
@@ -265,15 +303,32 @@ class Animation:
     @cached_property
     def limits(self) -> np.ndarray:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
-        structure = self.run.structure
-        poses = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, poses)
-        turned = free_body.turned(points.reshape(-1, 2), (0.0, 0.0), self.run.slope)
-        points = turned.reshape(points.shape) + self.ground[:, None]
+        points = self._places_in_space() if self.in_space else self._places_in_plane()
+        points = points + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])
         return np.array([low - beside - [0.0, 0.1 * size], high + beside]).T
+
+    def _places_in_plane(self) -> np.ndarray:
+        """(n, k, 2) places of all that is drawn, relative to the ground."""
+        points = all_points(self.run.structure, self._poses)
+        turned = free_body.turned(points.reshape(-1, 2), (0.0, 0.0), self.run.slope)
+        return turned.reshape(points.shape)
+
+    def _places_in_space(self) -> np.ndarray:
+        points = corners(self.run.structure, self._poses)
+        ring = np.broadcast_to(ring_of(self._floor), (len(points), 4, 3))
+        return view_from(self.view).of(np.concatenate([points, ring], axis=1))
+
+    @cached_property
+    def _poses(self) -> np.ndarray:
+        structure = self.run.structure
+        return places(structure.module, self.modes, self.states, structure.vector)
+
+    @cached_property
+    def _floor(self) -> np.ndarray:
+        return ground_under(corners(self.run.structure, self._poses))
 
     # -- all of them
 
@@ -284,23 +339,41 @@ class Animation:
         (left, right), (low, high) = self.limits
         tall = (_WIDTH - 0.2) * (high - low) / (right - left)
         tall = min(max(tall, _HEIGHTS[0]), _HEIGHTS[1])
-        height = tall + _TOP + _BOTTOM
+        below = _BOTTOM + _HISTORY * self.in_space
+        height = tall + _TOP + below
         figure = Figure(figsize=(_WIDTH, height), dpi=_DPI)
         canvas = FigureCanvasAgg(figure)
-        ax = figure.add_axes((0.02, _BOTTOM / height, 0.96, tall / height))
+        ax = figure.add_axes((0.02, below / height, 0.96, tall / height))
         name = textwrap.shorten(style.plain(style.title_of(self.run)), 62, placeholder=" ...")
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
-        figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
+        signs = _signs(self)
+        figure.legend(handles=signs, loc="lower center", ncols=max(3, len(signs)), fontsize=8)
+        now = [self._history(figure, height)] if self.in_space else []
         pictures = []
         for i in range(len(self)):
             for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts):
                 artist.remove()  # to clear the axes takes as long as to draw them
             self.draw(i, ax)
             clock.set_text(self.title(i))
+            for line in now:
+                line.set_xdata(self.times[[i, i]])
             canvas.draw()
             pictures.append(_png(canvas))
         return tuple(pictures)
+
+    def _history(self, figure: Figure, height: float) -> Line2D:
+        """The tilt against time below the drawing, and the line that stands at a frame."""
+        run = self.run
+        (tilt, *_) = tilts_of(run.places.rotations()).values()
+        (shown,) = np.nonzero((self.times[0] <= run.t) & (run.t <= self.times[-1]))
+        tilt = tilt[shown]
+        ax = figure.add_axes((0.13, (_BOTTOM + 0.42) / height, 0.83, (_HISTORY - 0.5) / height))
+        ax.plot(run.t[shown], tilt, color=style.LINES[0], lw=0.9)
+        ax.set(xlim=self.times[[0, -1]], ylim=(0.0, 1.08 * tilt.max() or 1.0))
+        ax.set(xlabel=style.time_label(run), ylabel="tilt [rad]")
+        ax.yaxis.set_major_locator(MaxNLocator(3))
+        return ax.axvline(float(self.times[0]), color=style.LINES[1], lw=1.2)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a .gif, a .html page or a .mp4.
@@ -343,7 +416,16 @@ class Animation:
 def _signs(animation: Animation) -> list[Line2D]:
     """Meanings of the marks that the structure has."""
     signs: list[Line2D] = []
-    if {"foot", "point"} & {*animation.run.structure.module.POSITION_KINDS}:
+    module: Any = animation.run.structure.module
+    if animation.in_space:
+        works = {
+            work_of(module, foot, mode)
+            for mode in np.unique(animation.modes)
+            for foot in getattr(module, "POINTS", ())
+        }
+        works.update(["bears"] * ("massless" in module.POSITION_KINDS))  # of a rim
+        signs += [_sign(work, ls="", **look) for work, look in LOOKS.items() if work in works]
+    elif {"foot", "point"} & {*module.POSITION_KINDS}:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
     if len(animation.run.impacts):
         signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))

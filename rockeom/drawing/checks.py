@@ -2,9 +2,8 @@
 
 from typing import Any
 
-from rockeom.integrator.schema import in_space
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.numbers.checks import InputError, require_type
+from rockeom.numbers.checks import require_type
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 
@@ -18,11 +17,3 @@ _REMEDIES = {
 def check_drawn(name: str, value: Any, cls: type) -> None:
     """Raise TypeError for an argument that is no response, structure or ground motion."""
     require_type(name, value, cls, _REMEDIES[cls])
-
-
-def check_planar(structure: Structure) -> None:
-    """Raise InputError for a structure that moves in space, of which there are no sketches."""
-    if in_space(structure.module):
-        raise InputError("structure", of=structure.module.NAME).says(
-            "it moves in space, and sketches and films show a plane: draw run.places.positions()"
-        )

@@ -7,9 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
-from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
+from rockeom.codes import IDLE_POINT, SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
+from rockeom.drawing.plan import AZIMUTHS, balance_tilts, tilts_of
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
 from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import WORLD
@@ -65,7 +66,8 @@ def plot_response(
     Impacts are drawn as high as the
     angular velocity just before them, so that the endless small ones before rest do not hide the
     large ones. In the lowest row each contact has a bar where it is closed, with a black one below
-    where it slides.
+    where it slides, and is grey where it touches and bears nothing. Structures in space have their
+    tilt in place of the rotation, and their yaw.
 
     Examples
     --------
@@ -117,7 +119,10 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     """The rows that this structure fills, with their relative heights."""
     shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
     rows: list[tuple[Draw, float]] = [(_ground, 1.0)] if shaken else []
-    rows += [(_rotation, 1.0)]
+    if in_space(run.structure.module):
+        rows += [(_tilt, 1.0)] + [(_yaw, 0.8)] * bool(_turns(run))
+    else:
+        rows += [(_rotation, 1.0)]
     # the cart's coordinate is its displacement
     turns = run.structure.module.STATE_UNITS[run.structure.module.ROTATION] != "m"
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
@@ -125,8 +130,6 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
     rows += [(_ties, 1.0)] if run.ties else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
-    if in_space(run.structure.module):
-        return rows
     return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
@@ -156,6 +159,34 @@ def _rotation(ax: Axes, run: Response) -> None:
     if run.units[name] == "rad":
         _overturning_angles(ax, run)
         style.legend_above(ax)
+
+
+def _tilt(ax: Axes, run: Response) -> None:
+    """Tilt of each body in space, and the least at which it balances, where that is in reach."""
+    bodies = tilts_of(run.places.rotations())
+    for (body, tilt), stroke in zip(bodies.items(), style.strokes(style.OTHERS), strict=False):
+        name = "tilt" if len(bodies) == 1 else style.plain(body.replace("_", " "))
+        label = f"{name}, largest {tilt.max():.3g} rad"
+        ax.plot(run.t, tilt, label=label, **stroke)  # type: ignore[arg-type]
+        style.mark_overturning(ax, run, tilt, color=stroke["color"])
+    least = balance_tilts(run.structure, next(iter(bodies)), AZIMUTHS).min()
+    if least < ax.get_ylim()[1]:
+        ax.axhline(least, color=style.INK, lw=0.8, ls="--", zorder=1, label="least balance")
+    ax.set_ylabel("tilt\n[rad]")
+    style.legend_above(ax)
+
+
+def _turns(run: Response) -> list[str]:
+    """Angles of a structure in space that are neither its tilt nor a part of it."""
+    m = run.structure.module
+    angles = [n for n in run.states[: m.N_STATES // 2] if run.units[n] == "rad"]
+    return [name for name in angles if name not in ("pitch", "roll", run.states[m.ROTATION])]
+
+
+def _yaw(ax: Axes, run: Response) -> None:
+    shown = {name: style.symbol(name) for name in _turns(run)}
+    what = next(iter(shown)) if len(shown) == 1 else "turn"
+    draw_curves(ax, run, shown, what, style.strokes(style.OTHERS))
 
 
 def _others(run: Response, unit: str) -> list[str]:
@@ -227,9 +258,10 @@ def _contacts(ax: Axes, run: Response) -> None:
     for lane, (states, stroke) in enumerate(
         zip(contacts.values(), style.strokes(_OF_CONTACTS), strict=False)
     ):
-        slides = np.isin(states, (SLIP_LEFT, SLIP_RIGHT))
-        for modes, top, color in ((states > 0, 0.1, stroke["color"]), (slides, 0.6, "k")):
-            bars = style.bars(style.spans_in(run, modes))
+        slides, idle = np.isin(states, (SLIP_LEFT, SLIP_RIGHT)), states == IDLE_POINT
+        lane_of = [(states > 0, 0.1, stroke["color"]), (slides, 0.6, "k")]
+        for spans, top, color in lane_of + [(idle, 0.1, "0.8")] * bool(idle.any()):
+            bars = style.bars(style.spans_in(run, spans))
             ax.broken_barh(bars, (lane + top, 0.9 - top), facecolor=color, lw=0)
     names = [name.replace("_", " ") for name in contacts]
     ax.set_yticks(np.arange(len(names)) + 0.5, names, fontsize=7)

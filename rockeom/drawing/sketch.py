@@ -1,6 +1,6 @@
 """A sketch of a structure, to scale: what its declaration says of places, outlines and members."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -9,7 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.checks import check_drawn, check_planar
+from rockeom.drawing.checks import check_drawn
+from rockeom.drawing.scene import VIEW, Scene
+from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import slope_angle
 from rockeom.numbers.checks import number
 from rockeom.structures.base import Structure
@@ -24,6 +26,7 @@ def draw_structure(
     rotation: float = 0.0,
     ax: Axes | None = None,
     slope: float | str = 0.0,
+    view: Sequence[float] = VIEW,
 ) -> Figure:
     """Draw the bodies, the feet and the ground of a structure, in any state.
 
@@ -40,6 +43,9 @@ def draw_structure(
         Axes to draw on; a new figure if not given.
     slope : float or str, optional
         Slope of the ground, a number [rad] or a text such as "5 deg".
+    view : tuple of (float, float), optional
+        Azimuth from which a structure in space is seen, counter-clockwise from x seen from above,
+        and elevation [rad].
 
     Returns
     -------
@@ -49,7 +55,7 @@ def draw_structure(
     Raises
     ------
     ValueError
-        For a state that cannot be, and for a structure that moves in space.
+        For a state that cannot be, a slope of a structure in space, and a view from below.
     TypeError
         For anything but a structure.
 
@@ -59,6 +65,12 @@ def draw_structure(
     mass, and whatever joins bodies where the declaration has `members`. A tie that is slack is
     dashed, one that has broken has a gap; an arrow shows a push while it acts, a diamond its place.
 
+    A structure in space is drawn in parallel projection, with its shadow straight below on the
+    ground. Its feet are orange where they bear, pink where they slide with friction, white where
+    they touch and bear nothing, grey and small where they are open, and pale behind a body. A body
+    of no known shape is drawn as the plate between its feet and the legs from there to its
+    centroid.
+
     Examples
     --------
     >>> import rockeom as rk
@@ -67,12 +79,13 @@ def draw_structure(
     >>> figure = plots.draw_structure(block, state={"theta": 0.1})  # rad
     """
     check_drawn("structure", structure, Structure)
-    check_planar(structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
-    ax = ax or style.new_figure(2.6, 3.4).add_subplot()
     y = structure.state(named | dict(state or {}))
-    Sketch(structure, y, structure.mode_number(y)).draw(ax, number("slope", slope_angle(slope)))
+    mode, spatial = structure.mode_number(y), in_space(m)
+    drawing = Scene(structure, y, mode, view) if spatial else Sketch(structure, y, mode)
+    ax = ax or style.new_figure(2.6, 3.4).add_subplot()
+    drawing.draw(ax, number("slope", slope_angle(slope)))
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)

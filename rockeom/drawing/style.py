@@ -16,6 +16,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
 from rockeom.files import write
+from rockeom.integrator.schema import in_space
 from rockeom.numbers import explained
 from rockeom.numbers.constants import STANDARD_GRAVITY
 from rockeom.simulation.response import Response
@@ -144,7 +145,9 @@ def plain(text: str) -> str:
 
 def name_of(run: Response) -> str:
     """Name of the structure, in words."""
-    return run.structure.module.NAME.replace("_", " ")
+    of = run.structure
+    name = of.model if in_space(of.module) else of.module.NAME  # a boulder is a legged statue
+    return name.replace("_", " ")
 
 
 def title_of(run: Response) -> str:
@@ -205,23 +208,25 @@ def feet_of(mode: str) -> str:
 
 
 def contacts(run: Response) -> dict[str, np.ndarray]:
-    """The states (n,) of each contact in the n modes, the feet first: 0 where it is open."""
-    m = run.structure.module
+    """The states (k,) of each contact in the k spans between events, the feet first: 0 if open."""
+    m, (_, modes) = run.structure.module, run.support.spans
+    chosen, which = np.unique(modes, return_inverse=True)  # in space the modes are too many
     states = {
-        name: np.array(of_modes)
-        for names, table in (("POINTS", "POINT_STATES"), ("ELEMENTS", "ELEMENT_STATES"))
-        for name, *of_modes in zip(getattr(m, names, ()), *getattr(m, table, ()), strict=True)
+        name: np.array([table[mode][i] for mode in chosen])[which]
+        for names, states_of in (("POINTS", "POINT_STATES"), ("ELEMENTS", "ELEMENT_STATES"))
+        for table in [getattr(m, states_of, ())]
+        for i, name in enumerate(getattr(m, names, ()))
         if f"{name}_uplift" in m.KINEMATICS
     }
-    feet = np.array([feet_of(mode) for mode in m.MODES])
+    feet = np.array([feet_of(m.MODES[mode]) for mode in modes])
     states = states or {foot: np.isin(feet, (foot, "both")).astype(int) for foot in FEET}
     return {name: states[name] for name in sorted(states, key=lambda name: name not in FEET)}
 
 
-def spans_in(run: Response, modes: np.ndarray) -> np.ndarray:
-    """Starts and ends (k, 2) of the times in those of the n modes that are true in `modes`."""
-    spans, mode_numbers = run.support.spans
-    edges = np.diff(np.concatenate([[0], modes[mode_numbers], [0]]).astype(int))
+def spans_in(run: Response, chosen: np.ndarray) -> np.ndarray:
+    """Starts and ends (k, 2) of the times in those spans between events that are `chosen`."""
+    spans, _ = run.support.spans
+    edges = np.diff(np.concatenate([[0], chosen, [0]]).astype(int))
     return np.column_stack([spans[edges[:-1] > 0, 0], spans[edges[1:] < 0, 1]])
 
 

@@ -17,6 +17,7 @@ import numpy as np
 import xarray as xr
 
 from rockeom.files import check_path
+from rockeom.modelling.boulder import Boulder
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.facade import Facade
 from rockeom.modelling.held_block import HeldBlock
@@ -48,7 +49,7 @@ if TYPE_CHECKING:
 
 _READY = {
     one.model: one
-    for one in (Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism, RollingCylinder)
+    for one in (Boulder, Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism, RollingCylinder)
 }
 _OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import functools
-from typing import Any, ClassVar
+import os
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
+from rockeom.modelling.mesh import read_body, surface_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.positions import Solid, box, solid
 
 Place = tuple[float, float]
 
@@ -143,6 +146,12 @@ class Prism(_StandingBody):
     def derivation(self) -> dict[str, Any]:
         return {"slips": _slips("Prism", self.friction, self.restitution)}
 
+    @functools.cached_property
+    def solids(self) -> dict[str, Solid]:
+        middle = self.height / 2 - self.parameters()["centroid_height"]
+        at = (-self.offset_x, -self.offset_y, middle)
+        return {"body": box(self.width, self.depth, self.height, at)}
+
     def parameters(self) -> dict[str, float]:
         lengths = {"xx": self.width, "yy": self.depth, "zz": self.height}
         squares = {axes: length * length for axes, length in lengths.items()}
@@ -175,6 +184,9 @@ class LeggedStatue(_StandingBody):
         Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1.
     gravity : float, optional
         Acceleration of gravity [m/s2].
+    shape : tuple, optional
+        Surface for pictures, as `from_mesh` gives it: vertices from the centroid [m], and for each
+        face the numbers of its vertices, counter-clockwise seen from outside.
 
     Raises
     ------
@@ -200,7 +212,7 @@ class LeggedStatue(_StandingBody):
     """
 
     model: ClassVar[str] = "legged_statue"
-    not_numbers = frozenset({"feet", "centroid", "inertia"})
+    not_numbers = frozenset({"feet", "centroid", "inertia", "shape"})
     feet: Any
     centroid: tuple[float, float, float]
     mass: float
@@ -208,6 +220,64 @@ class LeggedStatue(_StandingBody):
     friction: float | None = None
     restitution: float = 0.0
     gravity: float = STANDARD_GRAVITY
+    shape: Any = None
+
+    @classmethod
+    def from_mesh(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        feet: Any,
+        mass: float | None = None,
+        density: float | None = None,
+        scale: float = 1.0,
+        **others: Any,
+    ) -> Self:
+        """Homogeneous body of a closed surface in a file, on feet as low as its lowest point.
+
+        Parameters
+        ----------
+        path : path_like
+            File .stl, .obj or .ply, z upwards. It is read by trimesh, of the extra `mesh`.
+        feet : dict of str to tuple of (float, float)
+            Place of each foot along x and y of the file [m], by its name.
+        mass : float, optional
+            Mass [kg].
+        density : float, optional
+            Density [kg/m3], in place of the mass.
+        scale : float, optional
+            Factor of the lengths in the file to metres, such as 0.001.
+        **others : object
+            Further arguments of the class.
+
+        Returns
+        -------
+        LeggedStatue
+            Statue.
+
+        Raises
+        ------
+        InputError
+            For a surface that is open, inside out or of no volume, for other than one of mass and
+            density, and for feet that do not support the centroid.
+        FileNotFoundError
+            For a missing file.
+        ModuleNotFoundError
+            Without trimesh.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> statue = rk.LeggedStatue.from_mesh(
+        ...     "statue.stl", density=2700.0, scale=0.001,  # kg/m3, from mm
+        ...     feet={"front": (0.0, 0.3), "left": (-0.25, -0.15), "right": (0.25, -0.15)},  # m
+        ... )  # doctest: +SKIP
+        """
+        body = read_body(path, mass, density, scale)
+        return cls(
+            feet=feet, mass=body.mass, centroid=tuple(body.centroid.tolist()),
+            inertia=body.inertia, shape=body.shape, **others,
+        )  # fmt: skip
 
     def __post_init__(self) -> None:
         try:
@@ -222,9 +292,14 @@ class LeggedStatue(_StandingBody):
         _check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
         rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
         object.__setattr__(self, "inertia", rows)
+        object.__setattr__(self, "shape", surface_of(self.shape, "LeggedStatue"))
         object.__setattr__(self, "feet", tuple((name, tuple(at)) for name, at in feet.items()))
         _check_base("LeggedStatue", value_of(np.array([at for _, at in self._arms])))
         _slips("LeggedStatue", self.friction, self.restitution)
+
+    @functools.cached_property
+    def solids(self) -> dict[str, Solid]:
+        return {} if self.shape is None else {"body": solid(*self.shape)}
 
     @property
     def derivation(self) -> dict[str, Any]:

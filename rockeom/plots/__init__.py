@@ -11,6 +11,7 @@ from rockeom.drawing import free_body as free_body, style as style
 from rockeom.drawing.animation import Animation, animate
 from rockeom.drawing.comparison import plot_comparison
 from rockeom.drawing.ground_motion import plot_motion, plot_spectra
+from rockeom.drawing.plan import plot_tilt, plot_tracks
 from rockeom.drawing.portrait import plot_phase_portrait
 from rockeom.drawing.response import plot_response
 from rockeom.drawing.sketch import draw_structure
@@ -51,6 +52,8 @@ __all__ = [
     "plot_phase_portrait",
     "plot_response",
     "plot_spectra",
+    "plot_tilt",
+    "plot_tracks",
     "poincare_section",
     "reliability_diagram",
     "rocking_spectrum",

@@ -27,6 +27,7 @@ from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 from rockeom.structures.positions import (
     Shapes,
+    Solid,
     barriers,
     has_barrier,
     places,
@@ -802,6 +803,11 @@ class Structure(metaclass=explained.Constructors):
     def shapes(self) -> Shapes:
         """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
         return shapes(self.module, self.vector)
+
+    @functools.cached_property
+    def solids(self) -> Mapping[str, Solid]:
+        """Surfaces of its bodies in space, by name, for pictures; bodies without one have legs."""
+        return {}
 
     @property
     def uplift_acceleration(self) -> float | None:

@@ -237,6 +237,14 @@ def test_each_foot_has_one_colour_and_nothing_else_has_it(name, run_of):
             assert not {line.get_color() for line in ax.lines} & set(FEET.values())
 
 
+# Fails: it has states of elements, whose names are none.
+def test_a_wall_with_a_cable_that_yields_shows_its_feet():
+    still = rk.GroundMotion.none(0.1)
+    run = rk.simulate(rk.ControlledWall.thesis(), still, initial={"theta": 0.01})
+    labels = row(drawn(plot_response(run)), "contact").get_yticklabels()
+    assert [label.get_text() for label in labels] == ["left", "right"]
+
+
 def test_part_of_the_time_axis_on_request(run_of):
     figure = drawn(plot_response(run_of("flexible"), start=0.1, end=0.4))
     assert figure.axes[-1].get_xlim() == (0.1, 0.4)

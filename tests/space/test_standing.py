@@ -167,6 +167,8 @@ TRIPOD = {
         ({"inertia": np.ones((2, 2))}, r"a tensor \(3, 3\)"),
         ({"friction": 0.3}, "friction between both is not modelled yet"),
         ({"restitution": 2.0}, "a ratio of rates, 0 to 1"),
+        ({"shape": 3}, r"shape is 3: give vertices, \[\(x, y, z\)"),
+        ({"shape": ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 3)])}, "give vertices"),
     ],
 )
 def test_a_statue_that_cannot_stand_is_refused(changed, words):

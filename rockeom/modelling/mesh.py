@@ -1,0 +1,177 @@
+"""Bodies of closed surfaces in files: mass, centroid, inertia, and the points on which they stand.
+
+Files are read by trimesh, an extra of the package.
+"""
+
+import os
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from rockeom.codes import MOST_POINTS_IN_SPACE
+from rockeom.files import check_path
+from rockeom.numbers.checks import InputError, installed_by, number
+from rockeom.structures.positions import solid
+
+FORMATS = ("stl", "obj", "ply")
+_MOST_FACES = 3000  # that a picture shows
+_FINEST = 48  # cells along the longest side, of a surface that is drawn coarser
+
+
+class Surface(tuple[Any, ...]):
+    """Vertices and faces of a surface, which are too many to print."""
+
+    def __repr__(self) -> str:
+        return f"<surface of {len(self[1])} faces>"
+
+
+def surface_of(value: Any, kind: str) -> Surface | None:
+    """The surface that an argument `shape` gives, None for none; raises InputError for others."""
+    if value is None:
+        return None
+    try:
+        vertices, faces = value
+        shown = Surface((tuple(map(tuple, vertices)), tuple(map(tuple, faces))))
+        corners = solid(*shown).centres
+    except (TypeError, ValueError, IndexError):
+        corners = np.empty(0)
+    if corners.ndim != 2 or corners.shape[1] != 3 or not np.isfinite(corners).all():
+        raise InputError("shape", value, kind).give(
+            "vertices, [(x, y, z), ...] in m, and faces, [(0, 1, 2), ...], as `from_mesh` does"
+        )
+    return shown
+
+
+class MeshBody(NamedTuple):
+    """A homogeneous body of a mesh.
+
+    mass [kg]. centroid (3,) : in the axes of the file, z above the lowest vertex [m]. inertia
+    (3, 3) : about the centroid [kg m2]. vertices (n, 3) : from the centroid [m]. faces (m, 3) :
+    numbers of vertices, counter-clockwise seen from outside.
+    """
+
+    mass: float
+    centroid: np.ndarray
+    inertia: np.ndarray
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    @property
+    def shape(self) -> Surface:
+        """Vertices and faces of a surface for pictures: of a fine mesh a coarser one.
+
+        Vertices of one cell of a grid become one, their mean (Rossignac and Borrel 1993).
+        """
+        vertices, faces, cells = self.vertices, self.faces, _FINEST
+        while len(faces) > _MOST_FACES:
+            size = np.ptp(self.vertices, axis=0).max() / cells
+            grid = np.floor(self.vertices / size).astype(int)
+            _, which, number = np.unique(grid, axis=0, return_inverse=True, return_counts=True)
+            which, vertices = which.ravel(), np.zeros((len(number), 3))
+            np.add.at(vertices, which, self.vertices)
+            vertices, faces = vertices / number[:, None], which[self.faces]
+            faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+            cells = int(0.8 * cells)
+        return Surface(tuple(map(tuple, rows.tolist())) for rows in (vertices, faces))
+
+
+def read_body(
+    path: str | os.PathLike[str], mass: float | None, density: float | None, scale: float
+) -> MeshBody:
+    """The homogeneous body of a file; scale : of its lengths to metres.
+
+    Raises InputError for a mesh that is open, not oriented or inside out, and for other than one of
+    the mass and the density; ModuleNotFoundError without trimesh.
+    """
+    if (mass is None) == (density is None):
+        given = "neither mass nor density is" if mass is None else "mass and density are both"
+        raise InputError("mass", mass).says(f"{given} given: give one, {{mass}} or {{density}}")
+    numbers = {"mass": mass, "density": density, "scale": scale}
+    for name, value in numbers.items():
+        if value is not None and not 0.0 < number(name, value) < np.inf:
+            raise InputError(name, value).give("a positive number")
+    mesh = _read(path)
+    volume = float(mesh.volume) * scale**3
+    if density is None:
+        density = float(mass) / volume  # type: ignore[arg-type]
+    vertices = np.array(mesh.vertices, dtype=float) * scale
+    centroid = np.array(mesh.center_mass, dtype=float) * scale
+    inertia = np.array(mesh.moment_inertia) / float(mesh.density) * density * scale**5
+    from_lowest = centroid - [0.0, 0.0, vertices[:, 2].min()]
+    tensor = (inertia + inertia.T) / 2  # exactly symmetric
+    return MeshBody(
+        density * volume, from_lowest, tensor, vertices - centroid, np.array(mesh.faces)
+    )
+
+
+def _read(path: str | os.PathLike[str]) -> Any:
+    """The mesh of a file; raises InputError for one that bounds no body."""
+    check_path(path)
+    if (ending := Path(path).suffix.lower().removeprefix(".")) not in FORMATS:
+        raise _refused(path, f"it is no mesh by its name: give one of {', '.join(FORMATS)}")
+    if not Path(path).is_file():
+        raise FileNotFoundError(f"{path}: there is no such file")
+    try:
+        import trimesh
+    except ImportError as error:
+        raise ModuleNotFoundError(
+            f"{path}: meshes are read by trimesh, which is not installed. Remedy: "
+            f"{installed_by('mesh')}."
+        ) from error
+    try:
+        mesh: Any = trimesh.load_mesh(os.fspath(path), file_type=ending)
+        empty = not len(getattr(mesh, "faces", ()))
+    except Exception as error:  # of a parser, whatever the file has in it
+        raise _refused(path, f"it cannot be read ({error}): export it again") from error
+    if empty:
+        raise _refused(path, "it has no faces: export the surface again")
+    if not np.isfinite(mesh.vertices).all():
+        raise _refused(path, "it has vertices that are not finite: export it again")
+    edges = np.unique(np.sort(mesh.edges, axis=1), axis=0, return_counts=True)[1]
+    if (edges != 2).any():
+        raise _refused(
+            path,
+            f"it is not closed, {int((edges != 2).sum())} of its {len(edges)} edges belong to "
+            "other than two faces: close its holes and remove double faces in a mesh editor",
+        )
+    if not mesh.is_winding_consistent:
+        raise _refused(
+            path, "some faces look outward, others inward: recompute normals outward in an editor"
+        )
+    if not mesh.volume > 0.0:
+        raise _refused(path, "it is inside out, its volume is not positive: flip its normals")
+    return mesh
+
+
+def _refused(path: str | os.PathLike[str], why: str) -> InputError:
+    error = InputError("path", path, "from_mesh").says(why)
+    error.file = path
+    return error
+
+
+def support_points(
+    of: MeshBody, bearing_height: float, kind: str
+) -> dict[str, tuple[float, float]]:
+    """Places along x and y of the points on which a body stands, counter-clockwise from above.
+
+    The corners of the area below those vertices of the convex hull that are within the bearing
+    height of the lowest. Where they are more than the eight that a structure may have, those go
+    whose loss takes least area.
+    """
+    if not number("bearing_height", bearing_height) > 0.0:
+        raise InputError("bearing_height", bearing_height, kind).give("a positive height [m]")
+    hull = of.vertices[ConvexHull(of.vertices).vertices]
+    plan = hull[hull[:, 2] - hull[:, 2].min() <= bearing_height, :2] + of.centroid[:2]
+    try:
+        corners = plan[ConvexHull(plan).vertices]
+    except (QhullError, ValueError):
+        raise InputError("bearing_height", bearing_height, kind).wrong(
+            f"is {bearing_height:g} m, within which {len(plan)} points of the surface support no "
+            "area: give more"
+        ) from None
+    while len(corners) > MOST_POINTS_IN_SPACE:
+        (ax, ay), (bx, by) = ((corners - np.roll(corners, turn, axis=0)).T for turn in (1, -1))
+        corners = np.delete(corners, np.abs(ax * by - ay * bx).argmin(), axis=0)
+    return {f"point_{i + 1}": (float(x), float(y)) for i, (x, y) in enumerate(corners)}
