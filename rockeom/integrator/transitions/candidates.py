@@ -12,6 +12,7 @@ import numpy as np
 
 from rockeom.codes import (
     AMBIGUOUS,
+    IDLE_POINT,
     IMPOSSIBLE,
     LANDING,
     LIFTING,
@@ -541,6 +542,8 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
             continue
         slip, size = slip_of(contact, i, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
+        if state == IDLE_POINT and not still:
+            still = at_rest_along(i, slip, mode, out, p, shaking_at(ground, 0, 1), contact)
         if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
             still = True
         if still:
@@ -556,6 +559,17 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     g, shaking = np.empty(N_GUARDS + N_PARTS), shaking_at(ground, 0, 1)
     guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
+
+
+def at_rest_along(point, slip, mode, y, p, shaking, contact):
+    """Whether the slip of a point is nothing but what rounding leaves of a structure at rest.
+
+    There no velocity has a size to compare it with: that is sqrt(a l), as in `closed_points`.
+    """
+    wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+    without_forces(y, p, shaking, mode, contact, wanted, sizes)
+    size = math.sqrt(sizes[DIRECTIONS * point + 1] * radius_of(contact, point))
+    return abs(slip) <= NO_MOTION * size
 
 
 @rolled
