@@ -34,6 +34,7 @@ _NAMES_OF = {
     "rockeom.modelling.held_block": ("HeldBlock",),
     "rockeom.modelling.isolated": ("IsolatedBlocks",),
     "rockeom.modelling.standing": ("LeggedStatue", "Prism"),
+    "rockeom.modelling.wobbling": ("Podium", "WobblingColumn"),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
@@ -142,6 +143,7 @@ if TYPE_CHECKING:
     from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
     from rockeom.modelling.standing import LeggedStatue as LeggedStatue, Prism as Prism
+    from rockeom.modelling.wobbling import Podium as Podium, WobblingColumn as WobblingColumn
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (
         DesignSpectrum as DesignSpectrum,

@@ -23,6 +23,7 @@ from rockeom.modelling.held_block import HeldBlock
 from rockeom.modelling.isolated import IsolatedBlocks
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.modelling.standing import LeggedStatue, Prism
+from rockeom.modelling.wobbling import Podium, WobblingColumn
 from rockeom.motion import GroundMotion
 from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
@@ -45,7 +46,10 @@ from rockeom.version import VERSION
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
 
-_READY = {one.model: one for one in (Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism)}
+_READY = {
+    one.model: one
+    for one in (Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Podium, Prism, WobblingColumn)
+}
 _OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""

@@ -107,8 +107,8 @@ class Support:
         one: then no friction suffices. NaN without feet. In space it is that of all feet that never
         slip together; single ones may need more. Impulses are in `impact_friction_demand`.
         """
-        if is_by_code(self._structure.module):
-            return self._demand_in_space()
+        if self._forces_in_space is not None:
+            return self._demand_in_space(self._forces_in_space)
         across = getattr(self._structure.module, "HELD_ACROSS", False)
         if self._sliding_points and (self._extremes is None or across):
             return self._demand_of(self._sliding_points)  # without what ties and pushes take
@@ -182,15 +182,24 @@ class Support:
         across, pressing = extremes(steps, forces, self._until)
         return least_coefficient(steps, forces, across, pressing, self._until, True)
 
-    def _demand_in_space(self) -> float:
-        """The same of the sums of forces over the points that never slip."""
+    @property
+    def _forces_in_space(self) -> list[str] | None:
+        """Names of the forces along x, then y, then upwards; None of a structure in the plane.
+
+        Those at the points that never slip, or on the whole base of one without points.
+        """
         module: Any = self._structure.module
-        names = [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
+        if is_by_code(module):
+            names = [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
+            return [f"{n}_{of}" for of in ("friction_x", "friction_y", "reaction") for n in names]
+        whole = ["horizontal_reaction", "transverse_reaction", "vertical_reaction"]
+        return whole if whole[1] in module.REACTIONS else None
+
+    def _demand_in_space(self, names: list[str]) -> float:
+        """The same of the sums of forces over the points that never slip."""
         if not names:
             return math.nan
-        columns = self._quantities.columns(
-            [f"{name}_{of}" for of in ("friction_x", "friction_y", "reaction") for name in names]
-        )
+        columns = self._quantities.columns(names)
 
         def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
             along_x, along_y, up = columns(t, y, mode).reshape(len(t), 3, -1).sum(axis=2).T
@@ -249,6 +258,8 @@ class Support:
             return self._describe_in_space()
         if self._sliding_points:
             return self._describe_sliding()
+        if self._forces_in_space is not None:
+            return self._describe_friction()
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:

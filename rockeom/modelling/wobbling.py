@@ -1,0 +1,287 @@
+"""`WobblingColumn` and `Podium`: round columns that roll on their rims."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.modelling.declared import module_of
+from rockeom.modelling.standing import check_tensor
+from rockeom.motion.segments import END, START, acceleration
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import InputError
+from rockeom.numbers.dual import directions, value_of
+from rockeom.structures.declared import StructureWithFields
+
+PARTS_OF_SEGMENT = 8
+"""Parts of a segment of the ground motion among which its first strong push is sought."""
+
+
+class _RollingColumns(StructureWithFields):
+    """Round columns on their rims; see `WobblingColumn` and `Podium`."""
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module."""
+        return module_of(self.model)
+
+    @property
+    def alpha(self) -> float:
+        """Tilt at which the centroid is above the rim [rad]: it overturns beyond."""
+        return math.atan2(self.radius, self.parameters()["centroid_height"])
+
+    @property
+    def overturning_angles(self) -> tuple[float, float]:
+        return self.alpha, self.alpha
+
+    def parameters(self) -> dict[str, float]:
+        squares = self.mass * self.radius**2, self.mass * self.height**2
+        values = {
+            "centroid_height": self.height / 2,
+            "inertia_xx": squares[0] / 4 + squares[1] / 12,
+            "inertia_zz": squares[0] / 2,
+        }
+        own = {name: getattr(self, name, None) for name in self.module.PARAMETERS}
+        return values | {name: value for name, value in own.items() if value is not None}
+
+    def started(self, y0: np.ndarray, named: Mapping[str, Any], ground: Any) -> np.ndarray:
+        m = self.module
+        leans = bool(y0[m.ROTATION] or y0[m.ROTATION_RATE])
+        push = None if leans or "direction" in named else self._first_push(ground)
+        if push is not None:
+            y0[self.states.index("direction")] = math.atan2(-push[1], -push[0])
+        return y0
+
+    def _first_push(self, ground: Any) -> np.ndarray | None:
+        """Accelerations (3,) of the ground as the column first lifts; None where it never does."""
+        if directions(*ground.tables, self.vector):
+            raise InputError("direction").says(
+                "the direction in which it first leans has no derivative: name the initial "
+                "direction, or start from a tilt"
+            )
+        # where cases are handled as one, those whose ground or size differ are told apart here
+        tables = [np.asarray(table, dtype=float) for table in ground.tables]
+        names = ("radius", "centroid_height", "gravity")
+        radius, height, gravity = (float(self.parameters()[name]) for name in names)
+
+        def shaking(t: np.ndarray) -> np.ndarray:
+            return np.array([_at(table, t) for table in tables])
+
+        def lifts(t: np.ndarray) -> np.ndarray:
+            x, y, up = shaking(t)
+            return np.hypot(x, y) * height - (gravity + up) * radius
+
+        edges = np.unique(np.concatenate([table[:, [START, END]].ravel() for table in tables]))
+        parts = np.linspace(0.0, 1.0, PARTS_OF_SEGMENT, endpoint=False)
+        times = (edges[:-1, None] + np.diff(edges)[:, None] * parts).ravel()
+        pushed = np.flatnonzero(lifts(times) > 0.0)
+        if not len(pushed):
+            return None
+        when = times[pushed[0]]
+        if pushed[0] > 0:
+            from scipy.optimize import brentq  # slow to import
+
+            before = times[pushed[0] - 1]
+            when = brentq(lambda t: lifts(np.array([t]))[0], before, when, xtol=1e-15)
+        return shaking(np.array([when]))[:, 0]
+
+
+def _at(table: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Acceleration (n,) at times (n,) of the segments (m, 7) of a motion."""
+    if not len(table):
+        return np.zeros(len(t))
+    rows = np.maximum(np.searchsorted(table[:, START], t, side="right") - 1, 0)
+    return acceleration(table[rows], t - table[rows, START]) * (t <= table[-1, END])
+
+
+class WobblingColumn(_RollingColumns):
+    """Round column on its rim in space: it rocks, and rolls on its rim without twist.
+
+    The states are `tilt` [rad], the angle of the axis from the vertical, `direction` [rad], the
+    azimuth to which a positive tilt leans, counter-clockwise from x, and their rates. A negative
+    tilt leans to the opposite side.
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the round base [m].
+    height : float
+        Height of the column [m].
+    mass : float
+        Mass [kg].
+    centroid_height : float, optional
+        Height of the centroid above the base [m]; half of the height if not given.
+    inertia_xx : float, optional
+        Moment of inertia about a diameter through the centroid [kg m2]; that of a homogeneous
+        cylinder if not given.
+    inertia_zz : float, optional
+        Moment of inertia about the axis [kg m2].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, and moments that no masses have.
+
+    Notes
+    -----
+    The model is the restricted one of Vassiliou et al. (2017): base and ground roll on one another
+    without slip, and the twist about the axis stays zero. It loses no energy as it wobbles.
+
+    Rocking in exactly one plane is a singular limit. There the base comes flat and strikes the
+    ground with the opposite rim: by default an impact that conserves the angular momentum about
+    that rim, as a planar block's does, or another impact law. With any precession, however small,
+    it passes by flat without an impact, and the point of contact runs on by
+    ``pi sqrt((I_1 + m H^2 + m b^2)/(I_1 + m H^2))``, more than half a turn (Srinivasan and Ruina
+    2008): see `rockeom.analysis.formulas.turn_of_contact`. A passage nearer to flat than some
+    1e-12 rad is an impact. The plane is unstable: under shaking along any direction but x, whose
+    azimuth is zero, rounding soon turns an impact into such a passage.
+
+    From rest it leans away from the first push of the ground that lifts it. Where an impact has
+    brought it to rest again, it keeps the diameter along which it rocked.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> column = rk.WobblingColumn(radius=0.25, height=2.0, mass=1000.0)  # m, kg
+    >>> run = rk.simulate(
+    ...     column, rk.GroundMotion.none(2.0), initial={"tilt": 0.1, "direction_dot": 0.5}
+    ... )  # rad, rad/s
+    >>> len(run.impacts), run.outcome.value
+    (0, 'completed')
+    """
+
+    model: ClassVar[str] = "wobbling_column"
+    radius: float
+    height: float
+    mass: float
+    centroid_height: float | None = None
+    inertia_xx: float | None = None
+    inertia_zz: float | None = None
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        values = self.parameters()
+        across, along = values["inertia_xx"], values["inertia_zz"]
+        moments = value_of(np.array([across, across, along]))
+        check_tensor("WobblingColumn", np.diag(moments))
+        if value_of(values["centroid_height"]) > value_of(self.height):
+            raise InputError("centroid_height", self.centroid_height, "WobblingColumn").give(
+                f"a height above the base of at most its own, {self.height:g} m"
+            )
+
+    @classmethod
+    def frustum(
+        cls, radius: float, top_radius: float, height: float, mass: float, **more: Any
+    ) -> WobblingColumn:
+        """Homogeneous truncated cone that stands on one of its ends.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the base [m].
+        top_radius : float
+            Radius of the top [m], zero for a cone; it may be larger than that of the base.
+        height : float
+            Height [m].
+        mass : float
+            Mass [kg].
+        **more : float
+            Other arguments of the class, such as `gravity`.
+
+        Returns
+        -------
+        WobblingColumn
+            Column with the centroid and the moments of inertia of the cone.
+
+        Raises
+        ------
+        InputError
+            For a radius of the top below zero, and for what the class refuses.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> cone = rk.WobblingColumn.frustum(radius=0.3, top_radius=0.0, height=1.2, mass=80.0)
+        >>> round(cone.centroid_height, 6)  # m, a quarter of its height
+        0.3
+        """
+        if not value_of(top_radius) >= 0.0:
+            raise InputError("top_radius", top_radius, cls.__name__).give("a radius, zero or more")
+        if not value_of(radius) > 0.0:
+            raise InputError("radius", radius, cls.__name__).give("a positive radius, in m")
+        b, a = radius, top_radius
+        area = a * a + a * b + b * b  # integrals of r^2, of z r^2 and so on, r linear in z
+        first = (3.0 * a * a + 2.0 * a * b + b * b) / (4.0 * area)
+        second = (6.0 * a * a + 3.0 * a * b + b * b) / (10.0 * area)
+        quartic = a**4 + a**3 * b + a * a * b * b + a * b**3 + b**4
+        along = 3.0 * mass * quartic / (10.0 * area)
+        across = along / 2.0 + mass * height**2 * (second - first * first)
+        own = {"centroid_height": height * first, "inertia_xx": across, "inertia_zz": along}
+        return cls(radius=radius, height=height, mass=mass, **own | more)
+
+
+def _at(table: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Acceleration (n,) at times (n,) of the segments (m, 7) of a motion."""
+    if not len(table):
+        return np.zeros(len(t))
+    rows = np.asarray(table, dtype=float)
+    index = np.maximum(np.searchsorted(rows[:, START], t, side="right") - 1, 0)
+    return acceleration(rows[index], t - rows[index, START]) * (t <= rows[-1, END])
+
+
+class Podium(_RollingColumns):
+    """Rigid slab on equal round columns that wobble alike, as a building on a podium of them.
+
+    The columns touch the slab with the rim opposite the one on the ground, so that it moves by
+    twice the way of a column's centroid and does not turn (Vassiliou 2018). The states are those of
+    `WobblingColumn`, `tilt` and `direction` of each column.
+
+    Parameters
+    ----------
+    columns : int
+        Number of columns.
+    slab_mass : float
+        Mass of the slab [kg].
+    radius : float
+        Radius of a column [m].
+    height : float
+        Height of a column [m].
+    mass : float
+        Mass of a column [kg].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+
+    Raises
+    ------
+    InputError
+        For numbers out of their ranges, and a number of columns that is not whole.
+
+    Notes
+    -----
+    See `WobblingColumn` for the model and for rocking in one plane, which is that of `RockingFrame`
+    then.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> podium = rk.Podium(columns=4, slab_mass=20.0, radius=0.25, height=2.0, mass=3.0)  # m, kg
+    >>> round(podium.velocity_ratio, 4)  # of an impact in one plane
+    0.8872
+    """
+
+    model: ClassVar[str] = "podium"
+    may_vanish = frozenset({"slab_mass"})
+    whole = frozenset({"columns"})
+    columns: int
+    slab_mass: float
+    radius: float
+    height: float
+    mass: float
+    gravity: float = STANDARD_GRAVITY
