@@ -143,8 +143,8 @@ if TYPE_CHECKING:
     from rockeom.modelling.isolated import IsolatedBlocks as IsolatedBlocks
     from rockeom.modelling.named import structure as structure
     from rockeom.modelling.standing import LeggedStatue as LeggedStatue, Prism as Prism
-    from rockeom.modelling.wobbling import Podium as Podium, WobblingColumn as WobblingColumn
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
+    from rockeom.modelling.wobbling import Podium as Podium, WobblingColumn as WobblingColumn
     from rockeom.motion import (
         DesignSpectrum as DesignSpectrum,
         GroundMotion as GroundMotion,

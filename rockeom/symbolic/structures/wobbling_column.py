@@ -1,8 +1,8 @@
 """Round columns that roll on their rims without twist: one alone, and several under a slab.
 
-Two modes lean to either side along one diameter, whose azimuth is a coordinate, and one stands flat.
-Where the column comes flat along that diameter, the rim on the other side is struck; as soon as it
-precesses it never does, and rolls round instead (Srinivasan and Ruina 2008).
+Two modes lean to either side along one diameter, whose azimuth is a coordinate, and one stands
+flat. Where the column comes flat along that diameter, the rim on the other side is struck; as soon
+as it precesses it never does, and rolls round instead (Srinivasan and Ruina 2008).
 """
 
 from dataclasses import replace
