@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from rockeom.motion.segments import END, START, acceleration
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, value_of
+from rockeom.numbers.functions import mathematics
 from rockeom.structures.declared import StructureWithFields
 
 PARTS_OF_SEGMENT = 8
@@ -25,6 +26,11 @@ PARTS_OF_SEGMENT = 8
 class _RollingColumns(StructureWithFields):
     """Round columns on their rims; see `WobblingColumn` and `Podium`."""
 
+    if TYPE_CHECKING:  # fields of both
+        radius: float
+        height: float
+        mass: float
+
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module."""
@@ -33,7 +39,7 @@ class _RollingColumns(StructureWithFields):
     @property
     def alpha(self) -> float:
         """Tilt at which the centroid is above the rim [rad]: it overturns beyond."""
-        return math.atan2(self.radius, self.parameters()["centroid_height"])
+        return mathematics.atan2(self.radius, self.parameters()["centroid_height"])
 
     @property
     def overturning_angles(self) -> tuple[float, float]:
@@ -53,7 +59,7 @@ class _RollingColumns(StructureWithFields):
         m = self.module
         leans = bool(y0[m.ROTATION] or y0[m.ROTATION_RATE])
         push = None if leans or "direction" in named else self._first_push(ground)
-        if push is not None:
+        if push is not None and push[1]:  # shaken along x alone it rocks in that plane, exactly
             y0[self.states.index("direction")] = math.atan2(-push[1], -push[0])
         return y0
 
@@ -87,7 +93,8 @@ class _RollingColumns(StructureWithFields):
             from scipy.optimize import brentq  # slow to import
 
             before = times[pushed[0] - 1]
-            when = brentq(lambda t: lifts(np.array([t]))[0], before, when, xtol=1e-15)
+            lifted = brentq(lambda t: lifts(np.array([t]))[0], before, when, xtol=1e-15)
+            when = min(when, lifted * (1.0 + 1e-12))  # behind it, where the ground jumps
         return shaking(np.array([when]))[:, 0]
 
 
@@ -225,15 +232,6 @@ class WobblingColumn(_RollingColumns):
         across = along / 2.0 + mass * height**2 * (second - first * first)
         own = {"centroid_height": height * first, "inertia_xx": across, "inertia_zz": along}
         return cls(radius=radius, height=height, mass=mass, **own | more)
-
-
-def _at(table: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Acceleration (n,) at times (n,) of the segments (m, 7) of a motion."""
-    if not len(table):
-        return np.zeros(len(t))
-    rows = np.asarray(table, dtype=float)
-    index = np.maximum(np.searchsorted(rows[:, START], t, side="right") - 1, 0)
-    return acceleration(rows[index], t - rows[index, START]) * (t <= rows[-1, END])
 
 
 class Podium(_RollingColumns):

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -176,7 +177,7 @@ def uplift_accelerations(
     return left, right
 
 
-def _leans(m: GeneratedModule, p: np.ndarray, side: float, weight: tuple[float, float]) -> float:
+def _leans(m: Any, p: np.ndarray, side: float, weight: tuple[float, float]) -> float:
     """Size of the first component of the ground at which a gap opens: by a straight line."""
     mode, rest = m.SIDES.index(side), np.zeros(m.N_STATES)
     opens = [

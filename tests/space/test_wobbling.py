@@ -280,7 +280,9 @@ def test_podiums_and_cones_that_cannot_be_are_refused():
     assert "whole number" in told(rk.Podium, columns=2.5, **sizes)
     assert "zero or more" in told(rk.WobblingColumn.frustum, 0.25, -0.1, 2.0, 3.0)
     case = rk.Case(COLUMN, EL_CENTRO[0], transverse=EL_CENTRO[1])
-    assert "has no derivative" in told(rk.sensitivity, case, ["tilt"], ["radius"])
+    assert "its ground is level" in told(COLUMN.on_slope, 0.1)
+    assert "has no feet that lift from rigid ground" in told(rk.assess, COLUMN, [EL_CENTRO[0]])
+    assert "has no derivative" in told(rk.sensitivity, case, ["end tilt"], ["radius"])
 
 
 def test_a_column_is_kept_and_read_again_and_swept(tmp_path):
