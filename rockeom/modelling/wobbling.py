@@ -146,9 +146,9 @@ class WobblingColumn(_RollingColumns):
     that rim, as a planar block's does, or another impact law. With any precession, however small,
     it passes by flat without an impact, and the point of contact runs on by
     ``pi sqrt((I_1 + m H^2 + m b^2)/(I_1 + m H^2))``, more than half a turn (Srinivasan and Ruina
-    2008): see `rockeom.analysis.formulas.turn_of_contact`. A passage nearer to flat than some
-    1e-12 rad is an impact. The plane is unstable: under shaking along any direction but x, whose
-    azimuth is zero, rounding soon turns an impact into such a passage.
+    2008): see `rockeom.analysis.formulas.turn_of_contact`. A column that comes nearer to flat than
+    some 1e-12 rad strikes. The plane is unstable: under shaking along any direction but x, whose
+    azimuth is zero, rounding soon makes it precess.
 
     From rest it leans away from the first push of the ground that lifts it. Where an impact has
     brought it to rest again, it keeps the diameter along which it rocked.

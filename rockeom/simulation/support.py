@@ -16,6 +16,8 @@ from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.structures.base import Structure
 from rockeom.structures.searched_modes import Points, friction_of
 
+_WHOLE_BASE = ("horizontal_reaction", "transverse_reaction", "vertical_reaction")
+
 
 class Support:
     """Forces and impulses of the ground, and whether friction and contact could bear them.
@@ -90,7 +92,14 @@ class Support:
 
     @cached_property
     def lost_contact(self) -> bool:
-        """Whether the ground would have had to pull a foot: the model's assumption failed then."""
+        """Whether the ground would have had to pull a foot: the model's assumption failed then.
+
+        In space that of the whole base counts, where no feet may open.
+        """
+        if self._forces_in_space == list(_WHOLE_BASE):
+            upwards = self._quantities.columns(_WHOLE_BASE[-1:])
+            (whole,) = extremes(self._quantities.steps("lost_contact"), upwards, self._until)
+            return bool(whole.minimum < -1e-9 * abs(whole.peak))
         if self._extremes is None:
             return False
         _, left, right, vertical = self._extremes
@@ -192,8 +201,7 @@ class Support:
         if is_by_code(module):
             names = [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
             return [f"{n}_{of}" for of in ("friction_x", "friction_y", "reaction") for n in names]
-        whole = ["horizontal_reaction", "transverse_reaction", "vertical_reaction"]
-        return whole if whole[1] in module.REACTIONS else None
+        return list(_WHOLE_BASE) if _WHOLE_BASE[1] in module.REACTIONS else None
 
     def _demand_in_space(self, names: list[str]) -> float:
         """The same of the sums of forces over the points that never slip."""
@@ -259,7 +267,8 @@ class Support:
         if self._sliding_points:
             return self._describe_sliding()
         if self._forces_in_space is not None:
-            return self._describe_friction()
+            jumped = f" Its vertical reaction turned negative: {self._structure.pulled}."
+            return self._describe_friction() + jumped * self.lost_contact
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:

@@ -230,6 +230,44 @@ def test_forces_on_the_rim_turn_the_column_and_a_torque_keeps_its_twist():
         assert np.abs(torque).max() > 1e-3 * size
 
 
+def test_a_column_that_the_ground_would_have_to_pull_says_so():
+    start = {"tilt": 0.1, "direction_dot": 0.5}
+    falls, none = rk.GroundMotion.constant(-10.5, 0.2), rk.GroundMotion.none(0.2)
+    runs = [rk.simulate(COLUMN, none, vertical=up, initial=start) for up in (falls, none)]
+    assert [run.support.lost_contact for run in runs] == [True, False]
+    assert "Its vertical reaction turned negative: it would have jumped." in runs[0].summary()
+    assert "negative" not in runs[1].summary()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_random_columns_keep_their_energy_and_their_twist(seed):
+    """Cones, columns and podiums from rest or pushed, under three random components."""
+    rng = np.random.default_rng(seed)
+    radius, height = rng.uniform(0.1, 0.6), rng.uniform(0.5, 4.0)
+    if seed % 2:
+        of = rk.WobblingColumn.frustum(radius, rng.uniform(0.0, 0.5), height, 100.0)
+    else:
+        of = rk.Podium(columns=3, slab_mass=500.0, radius=radius, height=height, mass=100.0)
+    sizes = 9.81 * np.tan(of.alpha) * np.array([1.5, 1.5, 0.3])
+    motions = [rk.GroundMotion.from_array(a * rng.normal(size=150), dt=0.02) for a in sizes]
+    start = {"tilt": 0.2 * of.alpha, "direction": rng.uniform(-3, 3), "direction_dot": rng.normal()}
+    run = rk.simulate(
+        of, motions[0], transverse=motions[1], vertical=motions[2],
+        initial=start if seed < 4 else None, options=OPTIONS,
+    )  # fmt: skip
+    assert run.outcome.value in ("completed", "overturned")
+    assert run.energy_balance().error < 1e-10
+    assert not len(run.impacts)
+    for t in np.linspace(0.1, 0.9, 5) * run.t[-1]:
+        state = run.at(t)
+        places, axes = of.positions(state), of.rotations(state)["column"]
+        touches, axis = places["contact"], axes[:, 2]
+        base = places["column"] - of.parameters()["centroid_height"] * axis
+        # the same arc of the rim and of the circle on the ground has been rolled over
+        np.testing.assert_allclose(axes.T @ (touches - base), touches, atol=1e-9)
+        assert touches @ axis == pytest.approx(radius * np.hypot(*axis[:2]), abs=1e-12)
+
+
 def test_a_podium_in_a_plane_loses_what_the_opposite_rims_leave_of_its_momentum():
     of = podium(Case("podium_steady_0.15"))
     b, h, across = 0.25, 1.0, of.parameters()["inertia_xx"]
