@@ -12,15 +12,15 @@ import numpy as np
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.modelling.standing import check_tensor
-from rockeom.motion.segments import END, START, acceleration
+from rockeom.motion.segments import C1, END, KIND, LINEAR, START, acceleration
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, value_of
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.declared import StructureWithFields
 
-PARTS_OF_SEGMENT = 8
-"""Parts of a segment of the ground motion among which its first strong push is sought."""
+PART_OF_PULSE = 0.1
+"""Radians of a curved segment of the ground motion between the times at which it may push."""
 
 
 class _RollingColumns(StructureWithFields):
@@ -82,9 +82,7 @@ class _RollingColumns(StructureWithFields):
             x, y, up = shaking(t)
             return np.hypot(x, y) * height - (gravity + up) * radius
 
-        edges = np.unique(np.concatenate([table[:, [START, END]].ravel() for table in tables]))
-        parts = np.linspace(0.0, 1.0, PARTS_OF_SEGMENT, endpoint=False)
-        times = (edges[:-1, None] + np.diff(edges)[:, None] * parts).ravel()
+        times = np.unique(np.concatenate([*map(_times_of_pushes, tables)]))
         pushed = np.flatnonzero(lifts(times) > 0.0)
         if not len(pushed):
             return None
@@ -96,6 +94,16 @@ class _RollingColumns(StructureWithFields):
             lifted = brentq(lambda t: lifts(np.array([t]))[0], before, when, xtol=1e-15)
             when = min(when, lifted * (1.0 + 1e-12))  # behind it, where the ground jumps
         return shaking(np.array([when]))[:, 0]
+
+
+def _times_of_pushes(table: np.ndarray) -> np.ndarray:
+    """Times (k,) at one of which a motion lifts the column, if it does.
+
+    Along a straight line the margin is convex, and largest at an end.
+    """
+    curved = table[table[:, KIND] != LINEAR]
+    within = [np.arange(row[START], row[END], PART_OF_PULSE / abs(row[C1])) for row in curved]
+    return np.concatenate([table[:, START], table[:, END], *within])
 
 
 def _at(table: np.ndarray, t: np.ndarray) -> np.ndarray:

@@ -196,6 +196,18 @@ def test_from_rest_a_column_lifts_with_the_first_push_that_can_and_leans_away_fr
     assert not len(run.impacts)  # it precesses, and passes flat
 
 
+def test_from_rest_a_column_finds_the_push_within_a_sine_of_many_periods():
+    x = rk.GroundMotion.harmonic(2.0, angular_frequency=20.0, phase=0.0, duration=10.0)
+    y = rk.GroundMotion.harmonic(1.6, angular_frequency=13.0, phase=0.7, duration=10.0)
+    run = rk.simulate(COLUMN, x, transverse=y)
+    time = brentq(
+        lambda t: np.hypot(x.acceleration(t), y.acceleration(t)) - GRAVITY / 4, 0.05, 0.07
+    )
+    assert run.events[0].time == pytest.approx(time, abs=1e-9)
+    away = np.arctan2(-y.acceleration(time), -x.acceleration(time))
+    assert run.y[0][1] == pytest.approx(away, abs=1e-9)
+
+
 def test_forces_on_the_rim_turn_the_column_and_a_torque_keeps_its_twist():
     """Euler's law by differences of the momentum; the torque works in no motion of the model.
 
