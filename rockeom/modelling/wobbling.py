@@ -46,11 +46,18 @@ class _RollingColumns(StructureWithFields):
         return self.alpha, self.alpha
 
     def parameters(self) -> dict[str, float]:
-        squares = self.mass * self.radius**2, self.mass * self.height**2
+        b, top = self.radius, getattr(self, "top_radius", None)
+        a = b if top is None else top
+        # of a truncated cone, from the integrals of r^2, z r^2, z^2 r^2 and r^4, r linear in z
+        area = a * a + a * b + b * b
+        first = (3.0 * a * a + 2.0 * a * b + b * b) / (4.0 * area)
+        second = (6.0 * a * a + 3.0 * a * b + b * b) / (10.0 * area)
+        fourth = (a**4 + a**3 * b + a * a * b * b + a * b**3 + b**4) / area
+        along = 0.3 * self.mass * fourth
         values = {
-            "centroid_height": self.height / 2,
-            "inertia_xx": squares[0] / 4 + squares[1] / 12,
-            "inertia_zz": squares[0] / 2,
+            "centroid_height": self.height * first,
+            "inertia_xx": along / 2 + self.mass * self.height**2 * (second - first * first),
+            "inertia_zz": along,
         }
         own = {name: getattr(self, name, None) for name in self.module.PARAMETERS}
         return values | {name: value for name, value in own.items() if value is not None}
@@ -103,7 +110,8 @@ def _times_of_pushes(table: np.ndarray) -> np.ndarray:
     """
     curved = table[table[:, KIND] != LINEAR]
     within = [np.arange(row[START], row[END], PART_OF_PULSE / abs(row[C1])) for row in curved]
-    return np.concatenate([table[:, START], table[:, END], *within])
+    ends = table[:, END]
+    return np.concatenate([table[:, START], ends[np.isfinite(ends)], *within])
 
 
 def _at(table: np.ndarray, t: np.ndarray) -> np.ndarray:
@@ -129,13 +137,14 @@ class WobblingColumn(_RollingColumns):
         Height of the column [m].
     mass : float
         Mass [kg].
+    top_radius : float, optional
+        Radius of the top of a truncated cone, zero for a cone [m]; that of the base if not given.
     centroid_height : float, optional
-        Height of the centroid above the base [m]; half of the height if not given.
+        Height of the centroid above the base [m]; that of a homogeneous cone if not given.
     inertia_xx : float, optional
-        Moment of inertia about a diameter through the centroid [kg m2]; that of a homogeneous
-        cylinder if not given.
+        Moment of inertia about a diameter through the centroid [kg m2], of the same.
     inertia_zz : float, optional
-        Moment of inertia about the axis [kg m2].
+        Moment of inertia about the axis [kg m2], of the same.
     gravity : float, optional
         Acceleration of gravity [m/s2].
 
@@ -155,8 +164,8 @@ class WobblingColumn(_RollingColumns):
     it passes by flat without an impact, and the point of contact runs on by
     ``pi sqrt((I_1 + m H^2 + m b^2)/(I_1 + m H^2))``, more than half a turn (Srinivasan and Ruina
     2008): see `rockeom.analysis.formulas.turn_of_contact`. A column that comes nearer to flat than
-    some 1e-12 rad strikes. The plane is unstable: under shaking along any direction but x, whose
-    azimuth is zero, rounding soon makes it precess.
+    some 1e-12 rad strikes, and forces so near are those of no real one. The plane is unstable:
+    under a single component along any direction but x, rounding soon makes it precess.
 
     From rest it leans away from the first push of the ground that lifts it. Where an impact has
     brought it to rest again, it keeps the diameter along which it rocked.
@@ -173,9 +182,11 @@ class WobblingColumn(_RollingColumns):
     """
 
     model: ClassVar[str] = "wobbling_column"
+    may_vanish = frozenset({"top_radius"})
     radius: float
     height: float
     mass: float
+    top_radius: float | None = None
     centroid_height: float | None = None
     inertia_xx: float | None = None
     inertia_zz: float | None = None
@@ -190,56 +201,6 @@ class WobblingColumn(_RollingColumns):
             raise InputError("centroid_height", self.centroid_height, "WobblingColumn").give(
                 f"a height above the base of at most its own, {self.height:g} m"
             )
-
-    @classmethod
-    def frustum(
-        cls, radius: float, top_radius: float, height: float, mass: float, **more: Any
-    ) -> WobblingColumn:
-        """Homogeneous truncated cone that stands on one of its ends.
-
-        Parameters
-        ----------
-        radius : float
-            Radius of the base [m].
-        top_radius : float
-            Radius of the top [m], zero for a cone; it may be larger than that of the base.
-        height : float
-            Height [m].
-        mass : float
-            Mass [kg].
-        **more : float
-            Other arguments of the class, such as `gravity`.
-
-        Returns
-        -------
-        WobblingColumn
-            Column with the centroid and the moments of inertia of the cone.
-
-        Raises
-        ------
-        InputError
-            For a radius of the top below zero, and for what the class refuses.
-
-        Examples
-        --------
-        >>> import rockeom as rk
-        >>> cone = rk.WobblingColumn.frustum(radius=0.3, top_radius=0.0, height=1.2, mass=80.0)
-        >>> round(cone.centroid_height, 6)  # m, a quarter of its height
-        0.3
-        """
-        if not value_of(top_radius) >= 0.0:
-            raise InputError("top_radius", top_radius, cls.__name__).give("a radius, zero or more")
-        if not value_of(radius) > 0.0:
-            raise InputError("radius", radius, cls.__name__).give("a positive radius, in m")
-        b, a = radius, top_radius
-        area = a * a + a * b + b * b  # integrals of r^2, of z r^2 and so on, r linear in z
-        first = (3.0 * a * a + 2.0 * a * b + b * b) / (4.0 * area)
-        second = (6.0 * a * a + 3.0 * a * b + b * b) / (10.0 * area)
-        quartic = a**4 + a**3 * b + a * a * b * b + a * b**3 + b**4
-        along = 3.0 * mass * quartic / (10.0 * area)
-        across = along / 2.0 + mass * height**2 * (second - first * first)
-        own = {"centroid_height": height * first, "inertia_xx": across, "inertia_zz": along}
-        return cls(radius=radius, height=height, mass=mass, **own | more)
 
 
 class Podium(_RollingColumns):
