@@ -180,6 +180,23 @@ def test_a_statue_on_three_legs_overturns_least_between_two_of_them():
         assert (abs(moves["roll"]) > 0.0) == rocks
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_statue_on_any_five_feet_rocks_as_soon_as_the_resultant_leaves_the_base(seed):
+    rng = np.random.default_rng(seed)
+    ways = np.arange(5) * 1.2566 + rng.uniform(-0.5, 0.5, 5)
+    places = rng.uniform(0.2, 0.4, (5, 1)) * np.array([np.cos(ways), np.sin(ways)]).T
+    statue = rk.LeggedStatue(
+        feet={f"leg{i}": tuple(place) for i, place in enumerate(places.tolist())},
+        centroid=(0.0, 0.0, 0.8), mass=100.0, inertia=np.diag([30.0, 28.0, 10.0]), gravity=GRAVITY,
+    )  # fmt: skip
+    for way in rng.uniform(-np.pi, np.pi, 3):
+        threshold = formulas.rocking_threshold(way, places, 0.8, gravity=GRAVITY)
+        for factor, rocks in ((1.0 - 1e-8, False), (1.0 + 1e-8, True)):
+            along, across = factor * threshold * np.array([np.cos(way), np.sin(way)])
+            moves = statue.accelerations({}, along, transverse_ground_acceleration=across)
+            assert (max(abs(moves[angle]) for angle in ("pitch", "roll")) > 1e-12) == rocks
+
+
 def test_closed_forms_of_round_bases_are_those_of_the_cases():
     for name in of_group("steady wobbling"):
         case = Case(name)
