@@ -36,6 +36,7 @@ _NAMES_OF = {
     "rockeom.modelling.isolated": ("IsolatedBlocks",),
     "rockeom.modelling.rolling": ("RollingCylinder",),
     "rockeom.modelling.standing": ("LeggedStatue", "Prism"),
+    "rockeom.modelling.wobbling": ("Podium", "WobblingColumn"),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
@@ -147,6 +148,7 @@ if TYPE_CHECKING:
     from rockeom.modelling.rolling import RollingCylinder as RollingCylinder
     from rockeom.modelling.standing import LeggedStatue as LeggedStatue, Prism as Prism
     from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
+    from rockeom.modelling.wobbling import Podium as Podium, WobblingColumn as WobblingColumn
     from rockeom.motion import (
         DesignSpectrum as DesignSpectrum,
         GroundMotion as GroundMotion,

@@ -227,7 +227,9 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
     if structure.model == "facade":
         return _of_facade(structure, slope)
     thresholds = uplift_accelerations(structure, slope)
-    if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
+    m = structure.module
+    planar = "left_reaction" in m.REACTIONS
+    if thresholds is None or not planar or m.STATE_UNITS[m.ROTATION] != "rad":
         raise InputError("structure", of="assess").says(
             f"{structure.model} has no feet that lift from rigid ground, in metres and seconds: "
             "take a RigidBlock, with friction= where it may slide, StackedBlocks, "

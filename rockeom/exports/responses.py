@@ -25,6 +25,7 @@ from rockeom.modelling.isolated import IsolatedBlocks
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.modelling.rolling import RollingCylinder
 from rockeom.modelling.standing import LeggedStatue, Prism
+from rockeom.modelling.wobbling import Podium, WobblingColumn
 from rockeom.motion import GroundMotion
 from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
@@ -49,7 +50,17 @@ if TYPE_CHECKING:
 
 _READY = {
     one.model: one
-    for one in (Boulder, Facade, HeldBlock, IsolatedBlocks, LeggedStatue, Prism, RollingCylinder)
+    for one in (
+        Boulder,
+        Facade,
+        HeldBlock,
+        IsolatedBlocks,
+        LeggedStatue,
+        Podium,
+        Prism,
+        RollingCylinder,
+        WobblingColumn,
+    )
 }
 _OTHERS = {**_READY, **SUPPORTS, **RESTRAINTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032

@@ -137,7 +137,7 @@ class Prism(_StandingBody):
     def __post_init__(self) -> None:
         values, b, c = self.parameters(), self.width / 2, self.depth / 2
         moments = [values[f"inertia_{axis}{axis}"] for axis in "xyz"]
-        _check_tensor("Prism", np.diag(value_of(np.array(moments))))
+        check_tensor("Prism", np.diag(value_of(np.array(moments))))
         corners = [(i * b - self.offset_x, j * c - self.offset_y) for i in (-1, 1) for j in (-1, 1)]
         _check_base("Prism", value_of(np.array(corners)))
         _slips("Prism", self.friction, self.restitution)
@@ -289,7 +289,7 @@ class LeggedStatue(_StandingBody):
         for name, place in feet.items():
             _check_numbers("LeggedStatue", f"foot {name!r}", place, 2)
         _check_numbers("LeggedStatue", "centroid", self.centroid, 3)
-        _check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
+        check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
         rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
         object.__setattr__(self, "inertia", rows)
         object.__setattr__(self, "shape", surface_of(self.shape, "LeggedStatue"))
@@ -331,7 +331,7 @@ def _check_numbers(kind: str, name: str, values: Any, length: int) -> None:
         raise InputError(name, values, kind).give(f"{length} finite numbers")
 
 
-def _check_tensor(kind: str, tensor: np.ndarray) -> None:
+def check_tensor(kind: str, tensor: np.ndarray) -> None:
     """Raise InputError for a tensor that no masses have."""
     if tensor.shape != (3, 3) or not np.isfinite(tensor.astype(float)).all():
         raise InputError("inertia", tensor, kind).give("a tensor (3, 3) of finite numbers")

@@ -351,7 +351,8 @@ class Case:
             For a state or a duration that cannot be.
         """
         structure, motion, ground = self.structure, self.motion, self.ground
-        y0 = structure.state({} if self.initial is None else self.initial)
+        named = {} if self.initial is None else self.initial
+        y0 = structure.started(structure.state(named), named, ground)
         if self.initial is None and not ground.is_level:
             y0 = standing_on(structure, y0, ground.weight)
         for name, fallen in structure.falls.items():

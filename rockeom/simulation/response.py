@@ -457,7 +457,7 @@ class Response:
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}{self._why()}",
         ]
-        leans = TILT in self.units and isinstance(self.record, Steps)
+        leans = DIRECTION in self.units and isinstance(self.record, Steps)
         lines += self._tilted() if leans else self._turned()
         lines += self._impact_law()
         lines += self._uplift()

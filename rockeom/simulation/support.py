@@ -17,6 +17,8 @@ from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.structures.base import Structure
 from rockeom.structures.searched_modes import Points, friction_of
 
+_WHOLE_BASE = ("horizontal_reaction", "transverse_reaction", "vertical_reaction")
+
 
 class Support:
     """Forces and impulses of the ground, and whether friction and contact could bear them.
@@ -91,7 +93,14 @@ class Support:
 
     @cached_property
     def lost_contact(self) -> bool:
-        """Whether the ground would have had to pull a foot: the model's assumption failed then."""
+        """Whether the ground would have had to pull a foot: the model's assumption failed then.
+
+        In space that of the whole base counts, where no feet may open.
+        """
+        if self._forces_in_space == list(_WHOLE_BASE):
+            upwards = self._quantities.columns(_WHOLE_BASE[-1:])
+            (whole,) = extremes(self._quantities.steps("lost_contact"), upwards, self._until)
+            return bool(whole.minimum < -1e-9 * abs(whole.peak))
         if self._extremes is None:
             return False
         _, left, right, vertical = self._extremes
@@ -109,8 +118,8 @@ class Support:
         slip together; `foot_friction_demand` is of single ones. Impulses are in
         `impact_friction_demand`.
         """
-        if is_by_code(self._structure.module):
-            return self._demand_in_space()
+        if self._forces_in_space is not None:
+            return self._demand_in_space(self._forces_in_space)
         across = getattr(self._structure.module, "HELD_ACROSS", False)
         if self._sliding_points and (self._extremes is None or across):
             return self._demand_of(self._sliding_points)  # without what ties and pushes take
@@ -184,14 +193,23 @@ class Support:
         across, pressing = extremes(steps, forces, self._until)
         return least_coefficient(steps, forces, across, pressing, self._until, True)
 
-    def _demand_in_space(self) -> float:
+    @property
+    def _forces_in_space(self) -> list[str] | None:
+        """Names of the forces along x, then y, then upwards; None of a structure in the plane.
+
+        Those at the points that never slip, or on the whole base of one without points.
+        """
+        module: Any = self._structure.module
+        if is_by_code(module):
+            ways = ("friction_x", "friction_y", "reaction")
+            return [f"{name}_{of}" for of in ways for name in self._holding_feet]
+        return list(_WHOLE_BASE) if _WHOLE_BASE[1] in module.REACTIONS else None
+
+    def _demand_in_space(self, names: list[str]) -> float:
         """The same of the sums of forces over the points that never slip."""
-        names = self._holding_feet
         if not names:
             return math.nan
-        columns = self._quantities.columns(
-            [f"{name}_{of}" for of in ("friction_x", "friction_y", "reaction") for name in names]
-        )
+        columns = self._quantities.columns(names)
 
         def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
             along_x, along_y, up = columns(t, y, mode).reshape(len(t), 3, -1).sum(axis=2).T
@@ -269,6 +287,9 @@ class Support:
             return self._describe_in_space()
         if self._sliding_points:
             return self._describe_sliding()
+        if self._forces_in_space is not None:
+            jumped = f" Its vertical reaction turned negative: {self._structure.pulled}."
+            return self._describe_friction() + jumped * self.lost_contact
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
         if self._structure.has_landings:

@@ -257,6 +257,25 @@ class Structure(metaclass=explained.Constructors):
                 raise InputError(name, value, "state").give("a finite number")
         return modes_of(self.module).completed(self.module, np.array(y), self.vector, values)
 
+    def started(self, y0: np.ndarray, named: Mapping[str, Any], ground: Any) -> np.ndarray:
+        """State with which a motion starts: what is not named may follow from the ground's motion.
+
+        Parameters
+        ----------
+        y0 : ndarray
+            State (N,) of the values named.
+        named : dict of str to float
+            Those values.
+        ground : Ground
+            Motions of the ground.
+
+        Returns
+        -------
+        ndarray
+            State (N,).
+        """
+        return y0
+
     def mode_number(
         self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
     ) -> int:

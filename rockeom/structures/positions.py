@@ -291,8 +291,11 @@ def bodies(module: Any) -> dict[str, int]:
 
 
 def names_of_leans(module: Any) -> dict[int, tuple[str, str]]:
-    """Names of the tilt and its direction of each body in space, by its number among places."""
-    of = bodies(module)
+    """Names of the tilt and its direction of each body in space, by its number among places.
+
+    None where the tilt is a coordinate.
+    """
+    of = {} if TILT in module.STATES else bodies(module)
     names = {i: f"{name.replace(' ', '_')}_" * (len(of) > 1) for name, i in of.items()}
     return {i: (prefix + TILT, prefix + DIRECTION) for i, prefix in names.items()}
 

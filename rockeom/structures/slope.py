@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import weight_on
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
@@ -54,6 +55,10 @@ class OnSlope(NamedTuple):
 
 def on_slope(structure: Any, slope: float) -> OnSlope:
     """See `Structure.on_slope`; slope [rad]."""
+    if slope and in_space(structure.module):
+        raise InputError("slope", slope).says(
+            f"{type(structure).__name__} moves in space, and its ground is level: leave it out"
+        )
     uplifts, angles = uplift_accelerations(structure, slope), overturning_angles(structure, slope)
     return OnSlope(slope, uplifts, angles)
 

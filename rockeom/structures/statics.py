@@ -2,10 +2,11 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, in_space
 from rockeom.numbers.checks import InputError, array_of
 
 Equilibrium = tuple[float, np.ndarray]
@@ -130,9 +131,12 @@ def uplift_accelerations(
     it leans by itself to a side whose acceleration is below zero.
 
     Unknown are the acceleration and the coordinates that are free in full contact. Their equations
-    are linear, but for small terms: Newton's method from rest.
+    are linear, but for small terms: Newton's method from rest. In space nothing moves there, and
+    the acceleration is that along the direction of the state at rest.
     """
     m = module
+    if in_space(m):
+        return _leans(m, p, -1.0, weight), _leans(m, p, 1.0, weight)
     n = m.N_STATES // 2
     mode = m.MODES.index("both")
     free = [i for i in range(n) if i != m.ROTATION]
@@ -171,3 +175,13 @@ def uplift_accelerations(
         for foot, way in (("right", 1.0), ("left", -1.0))
     )
     return left, right
+
+
+def _leans(m: Any, p: np.ndarray, side: float, weight: tuple[float, float]) -> float:
+    """Size of the first component of the ground at which a gap opens: by a straight line."""
+    mode, rest = m.SIDES.index(side), np.zeros(m.N_STATES)
+    opens = [
+        float(m.opening_acceleration(mode, rest, p, weight[0] - side * a, 0.0, weight[1]))
+        for a in (0.0, 1.0)
+    ]
+    return opens[0] / (opens[0] - opens[1])

@@ -9,6 +9,8 @@ from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import shaking
 
+_IN_SPACE = ("horizontal_reaction", "transverse_reaction", "vertical_reaction")
+
 
 def total_reaction(mode: Mode) -> tuple[sp.Expr, ...]:
     """Force of the ground on all feet along each axis, by Newton's second law."""
@@ -26,9 +28,13 @@ def reactions(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
     """Horizontal force, and vertical force at the left and the right foot, where there are feet.
 
     The horizontal force is the sum over both feet: in full contact statics leaves open how
-    they share it. Expressions contain the accelerations of the mode's coordinates.
+    they share it. Expressions contain the accelerations of the mode's coordinates. In space the
+    force is that of the whole base, along the three axes.
     """
-    horizontal, vertical = total_reaction(mode)
+    total = total_reaction(mode)
+    if len(total) > 2:
+        return dict(zip(_IN_SPACE, total, strict=True))
+    horizontal, vertical = total
     feet = mode.feet
     if not feet:
         return {"horizontal_reaction": horizontal}

@@ -23,6 +23,7 @@ if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getatt
     from rockeom.analysis.formulas.overturning import *
     from rockeom.analysis.formulas.periods import *
     from rockeom.analysis.formulas.restitution import *
+    from rockeom.analysis.formulas.space import *
     from rockeom.analysis.formulas.stiffness import *
     from rockeom.analysis.formulas.support_forces import *
     from rockeom.analysis.formulas.uplift import *
