@@ -39,7 +39,7 @@ from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
 from rockeom.integrator.schema import in_space
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.motion.slope import SLOPE
+from rockeom.motion.slope import SLOPE, seen_from
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, number, require
 from rockeom.simulation.response import Response
@@ -206,6 +206,7 @@ class Animation:
                 if motion is not None:
                     self.ground[:, i] = ground_displacement(motion, times)
         if self.in_space:
+            self.ground[:, :2] = np.transpose(seen_from(run.azimuth, *self.ground[:, :2].T))
             self.ground = view_from(view).of(self.ground)
         if run.slope and run.ground_axes == SLOPE:
             self.ground = free_body.turned(self.ground, (0.0, 0.0), run.slope)

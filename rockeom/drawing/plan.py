@@ -16,7 +16,7 @@ from rockeom.integrator.schema import in_space
 from rockeom.numbers.checks import InputError, InputTypeError, require_word
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import NO_FEET, legs, places, positions_of, rotations_of
+from rockeom.structures.positions import NO_FEET, barrier_over, has_barrier, lean_of
 
 _TOUCHES = 1e-9  # part of the size of the base: a gap below is rounding
 _SLIDES = 1e-4  # and a shorter way on the ground is left out
@@ -130,8 +130,8 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
     ax = ax or cast(PolarAxes, _titled(4.4, 4.8, run).add_subplot(projection="polar"))
     if not isinstance(ax, PolarAxes):
         raise InputTypeError("ax", ax).give('polar axes, plt.subplot(projection="polar")')
-    tilt, _ = tilts(turns[body])
-    direction = np.arctan2(-turns[body][:, 2, 1], -turns[body][:, 2, 0])
+    lean = lean_of(entries(turns[body]))
+    tilt, direction = lean.tilt, lean.direction
     surface = balance_tilts(run.structure, body, AZIMUTHS)
     if np.isfinite(surface).all():
         ax.plot(AZIMUTHS, surface, "--", color=style.INK, lw=1.0, label="balance")
@@ -175,10 +175,9 @@ def _titled(width: float, height: float, run: Response) -> Figure:
     return figure
 
 
-def tilts(turns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Tilt (...) of an axis and the azimuth to which it leans [rad], of matrices (..., 3, 3)."""
-    x, y, z = np.moveaxis(turns[..., 2], -1, 0)
-    return np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)
+def entries(turns: np.ndarray) -> np.ndarray:
+    """(9, ...) entries of matrices (..., 3, 3), row by row."""
+    return np.moveaxis(turns.reshape(*turns.shape[:-2], 9), -1, 0)
 
 
 def tilts_of(turns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -186,7 +185,7 @@ def tilts_of(turns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
 
     Those that never tilt are left out, unless none does.
     """
-    found = {body: tilts(of)[0] for body, of in turns.items()}
+    found = {body: lean_of(entries(of)).tilt for body, of in turns.items()}
     most = sorted(found, key=lambda body: -found[body].max())
     return {name: found[name] for name in most if found[name].any() or name == most[0]}
 
@@ -196,19 +195,13 @@ def balance_tilts(structure: Structure, body: str, directions: np.ndarray) -> np
 
     NaN where neither feet nor a surface say what its base is.
     """
-    m, any_state = structure.module, np.full(structure.module.N_STATES, 1e-3)
-    (pose,) = places(m, np.array([0]), any_state[None], structure.vector)
-    at, turns = positions_of(m, pose), rotations_of(m, pose)
-    pairs = legs(structure, 0, any_state)
-    feet = [at[m.POSITIONS[j]] for i, j in pairs if m.POSITIONS[i] == body]
-    arms = (np.reshape(feet, (-1, 3)) - at[body]) @ turns[body]
-    if len(feet) < 3 and body in structure.solids:  # on a rim
-        arms = structure.solids[body].vertices
-        arms = arms[arms[:, 2] <= arms[:, 2].min() + _TOUCHES * np.ptp(arms)]
-    if len(arms) < 3:
+    if has_barrier(structure):
+        return structure.overturning_tilts(directions)
+    if body not in structure.solids:
         return np.full(len(directions), np.nan)
-    reach = arms[:, :2] @ np.array([np.cos(directions), np.sin(directions)])
-    return np.arctan2(reach.max(axis=0), -arms[:, 2].min())
+    vertices = structure.solids[body].vertices
+    base = vertices[:, 2] <= vertices[:, 2].min() + _TOUCHES * np.ptp(vertices)
+    return np.asarray(barrier_over(vertices[base], directions))
 
 
 def hull_of(points: np.ndarray) -> np.ndarray:

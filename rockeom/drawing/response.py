@@ -117,7 +117,8 @@ def _overview(run: Response, figure: Figure | SubFigure | None) -> tuple[Figure 
 
 def _rows(run: Response) -> list[tuple[Draw, float]]:
     """The rows that this structure fills, with their relative heights."""
-    shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
+    motions = (run.motion, run.transverse, run.vertical)
+    shaken = any(m is not None and m.peak > 0.0 for m in motions)
     rows: list[tuple[Draw, float]] = [(_ground, 1.0)] if shaken else []
     if in_space(run.structure.module):
         rows += [(_tilt, 1.0)] + [(_yaw, 0.8)] * bool(_turns(run))
@@ -138,7 +139,7 @@ def _ground(ax: Axes, run: Response) -> None:
     across, up = ("along", "normal") if run.slope else ("horizontal", "vertical")
     ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label=across)
     ax.set_ylabel("ground\nacceleration [g]")
-    if run.transverse is not None:
+    if run.transverse is not None or run.azimuth:
         transverse = run["transverse_ground_acceleration"] / scale
         ax.plot(run.t, transverse, color=style.OTHERS[1], lw=0.7, label="transverse")
         style.legend_above(ax)

@@ -13,7 +13,7 @@ from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.scene import VIEW, Scene
 from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import slope_angle
-from rockeom.numbers.checks import number
+from rockeom.numbers.checks import InputError, number
 from rockeom.structures.base import Structure
 from rockeom.structures.positions import NO_FEET, Member, legs, places, positions_of, rotations_of
 
@@ -81,7 +81,7 @@ def draw_structure(
     check_drawn("structure", structure, Structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
-    y = structure.state(named | dict(state or {}))
+    y = _state(structure, named | dict(state or {}))
     mode, spatial = structure.mode_number(y), in_space(m)
     drawing = Scene(structure, y, mode, view) if spatial else Sketch(structure, y, mode)
     ax = ax or style.new_figure(2.6, 3.4).add_subplot()
@@ -91,6 +91,17 @@ def draw_structure(
     return style.parent_figure(ax)
 
 
+def _state(structure: Structure, named: Mapping[str, float]) -> np.ndarray:
+    """The state of named values; of none, for a round base that cannot lie flat, one that leans."""
+    try:
+        return structure.state(named)
+    except InputError:
+        if named:
+            raise
+        return structure.state({structure.states[structure.module.ROTATION]: _LEANS})
+
+
+_LEANS = 0.1
 _BLUE = style.LINES[0]
 _MOST_COPIES = 40  # of a body that are drawn
 _MASS = 11.0  # size of a mass without an outline [points]

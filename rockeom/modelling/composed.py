@@ -422,10 +422,6 @@ class ShearFrame(HeldStructure):
     base_inertia: float = 0.0
     gravity: float = STANDARD_GRAVITY
 
-    @classmethod
-    def units(cls) -> dict[str, str]:
-        return {}  # it takes no angles
-
     def __post_init__(self) -> None:
         set_ = functools.partial(object.__setattr__, self)
         set_("masses", _each("masses", self.masses))

@@ -12,6 +12,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, number
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.positions import Solid, cylinder
 
 
 class RollingCylinder(StructureWithFields):
@@ -110,6 +111,11 @@ class RollingCylinder(StructureWithFields):
         }
         values |= {name: getattr(self, name) for name in values if getattr(self, name) is not None}
         return values | {name: getattr(self, name) for name in ("mass", "radius", "gravity")}
+
+    @functools.cached_property
+    def solids(self) -> dict[str, Solid]:
+        height = self.parameters()["centroid_height"]
+        return {"body": cylinder(self.radius, self.height, None, height)}
 
     def on_rim(
         self,

@@ -18,6 +18,7 @@ from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, value_of
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.declared import StructureWithFields
+from rockeom.structures.positions import Solid, box, cylinder
 
 PART_OF_PULSE = 0.1
 """Radians of a curved segment of the ground motion between the times at which it may push."""
@@ -44,6 +45,11 @@ class _RollingColumns(StructureWithFields):
     @property
     def overturning_angles(self) -> tuple[float, float]:
         return self.alpha, self.alpha
+
+    @functools.cached_property
+    def solids(self) -> dict[str, Solid]:
+        below, top = self.parameters()["centroid_height"], getattr(self, "top_radius", None)
+        return {"column": cylinder(self.radius, self.height, top, below)}
 
     def parameters(self) -> dict[str, float]:
         b, top = self.radius, getattr(self, "top_radius", None)
@@ -252,3 +258,8 @@ class Podium(_RollingColumns):
     height: float
     mass: float
     gravity: float = STANDARD_GRAVITY
+
+    @functools.cached_property
+    def solids(self) -> dict[str, Solid]:
+        side, thick = 6.0 * self.radius, 0.15 * self.height  # its sizes are not known
+        return {"slab": box(side, side, thick, (0.0, 0.0, thick / 2)), **super().solids}

@@ -228,7 +228,9 @@ class Support:
         has to hold a force across the edge: it is released, see `Prism`. NaN in the plane.
         """
         feet = self._holding_feet
-        return least_friction(self._quantities, feet, self._until) if feet else math.nan
+        if len(feet) < 2:  # all is of a rim
+            return self.friction_demand if feet else math.nan
+        return least_friction(self._quantities, feet, self._until)
 
     @property
     def _holding_feet(self) -> list[str]:
@@ -319,6 +321,8 @@ class Support:
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
         alone = self.foot_friction_demand
+        if len(self._holding_feet) < 2:
+            return self._describe_friction()
         together = f" Both are of all feet together: single ones needed {alone:.3g} under forces."
         if math.isinf(alone):
             together = " Both are of all feet together: none would have held single ones."

@@ -123,7 +123,10 @@ class StructureWithFields(Structure):
         dict of str to str
             Units by name.
         """
-        m = generated_module(cls.model)
+        try:
+            m = generated_module(cls.model)
+        except ModuleNotFoundError:  # of a family, whose arguments are no angles
+            return {}
         rows = zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         return {cls.arguments.get(name, name): unit for name, unit in rows}
 

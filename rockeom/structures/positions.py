@@ -15,7 +15,7 @@ nearest to the centroid: a body that leans over a corner may still fall over tha
 """
 
 import functools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -276,9 +276,8 @@ class Lean(NamedTuple):
     direction: Any
 
 
-def lean_of(place: Any) -> Lean:
-    """The lean of a body by the 12 numbers, or arrays, of `places`."""
-    r = place[3:]
+def lean_of(r: Any) -> Lean:
+    """The lean of a body by the nine entries, numbers or arrays, of its rotation, row by row."""
     tilt = np.arctan2(np.hypot(r[2], r[5]), r[8])
     # 0 - x, since the direction of what is upright is 0, and that of -0 half a turn
     return Lean(tilt, np.arctan2(r[5], r[2]), np.arctan2(0.0 - r[7], 0.0 - r[6]))
@@ -307,7 +306,7 @@ def of_leans(module: Any, poses: Any) -> dict[str, Any]:
     """
     quantities: dict[str, Any] = {}
     for i, names in names_of_leans(module).items():
-        lean = lean_of(poses[i])
+        lean = lean_of(poses[i][3:])
         quantities |= dict(zip(names, lean, strict=False))
     if stands_on_feet(module):
         quantities[RESERVE] = 1.0 - lean.tilt / barrier(module, poses, lean.direction)
@@ -335,10 +334,18 @@ def barrier(module: Any, poses: Any, direction: Any) -> Any:
 
     poses (m, 12) : its place and those of its feet, of numbers or of arrays (n,), as of `places`.
     """
-    steep = [
-        (x * np.cos(direction) + y * np.sin(direction)) / -z for x, y, z in _arms(module, poses)
-    ]
-    return np.arctan(np.max(steep, axis=0) if np.ndim(steep[0]) else max(steep))
+    return barrier_over(_arms(module, poses), direction)
+
+
+def barrier_over(arms: Iterable[Any], direction: Any) -> Any:
+    """The tilt at which a centroid is above the farthest of places (x, y, z) from it [rad]."""
+    return np.arctan(reach([(x / -z, y / -z) for x, y, z in arms], direction))
+
+
+def reach(feet: Iterable[Any], direction: Any) -> Any:
+    """How far the farthest of places (x, y) is in a direction, numbers or arrays (n,)."""
+    ways = [x * np.cos(direction) + y * np.sin(direction) for x, y in feet]
+    return np.max(ways, axis=0) if np.ndim(ways[0]) else max(ways)
 
 
 def _arms(module: Any, poses: Any) -> list[tuple[Any, ...]]:

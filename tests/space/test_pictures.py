@@ -13,9 +13,9 @@ import rockeom as rk
 from rockeom import plots
 from rockeom.codes import FRICTIONLESS, SLIP_RIGHT
 from rockeom.drawing.animation import ground_displacement
-from rockeom.drawing.plan import balance_tilts, tilts
+from rockeom.drawing.plan import balance_tilts
 from rockeom.drawing.scene import LOOKS, VIEW, Scene, work_of
-from rockeom.structures.positions import Solid, box, cylinder, solid
+from rockeom.structures.positions import Solid, box, cylinder, lean_of, solid
 from tests.space.cases import Case
 from tests.space.test_standing import EL_CENTRO
 
@@ -218,9 +218,9 @@ def test_tilt_and_its_direction_are_those_of_the_axis():
     for tilt, way in ((1e-9, 2.0), (0.3, -2.5), (1.4, 0.1)):
         state = {"pitch": np.arctan(np.tan(tilt) * np.cos(way))}
         state["roll"] = -np.arcsin(np.sin(tilt) * np.sin(way))
-        of, direction = tilts(PRISM.rotations(state)["body"])
-        assert float(of) == pytest.approx(tilt, rel=1e-9)
-        assert float(direction) == pytest.approx(way, abs=1e-9)
+        lean = lean_of(PRISM.rotations(state | {"yaw": 0.4})["body"].ravel())
+        assert lean.tilt == pytest.approx(tilt, rel=1e-9)
+        assert lean.azimuth == pytest.approx(way + 0.4, abs=1e-9)
 
 
 def test_tilt_is_drawn_against_its_direction_seen_from_the_body():
@@ -264,7 +264,7 @@ def test_history_in_space_has_tilt_yaw_uplifts_and_contacts():
     figure.draw_without_rendering()
     labels = [ax.get_ylabel().split("\n")[0] for ax in figure.axes]
     assert labels == ["ground", "tilt", "yaw", "uplift", "landing speed", "contact"]
-    tilt, _ = tilts(run.places.rotations()["body"])
+    tilt = run["tilt"]
     np.testing.assert_array_equal(figure.axes[1].lines[0].get_ydata(), tilt)
     assert [len(figure.axes[i].lines) for i in (3, -1)] == [4, 0]
     lanes = [label.get_text() for label in figure.axes[-1].get_yticklabels()]

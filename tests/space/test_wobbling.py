@@ -396,7 +396,7 @@ def test_a_block_that_slides_out_of_its_room_ends_at_the_wall():
 
 
 def test_a_column_of_no_known_shape_is_drawn_by_its_axis():
-    of = rk.structure("wobbling_column", **COLUMN.parameters())
+    of = rk.structure(rk.derive("wobbling_column"), **COLUMN.parameters())
     run = rk.simulate(of, rk.GroundMotion.none(0.1), initial={"tilt": 0.1})
     (ax,) = plots.draw_structure(of, state={"tilt": 0.1}, view=(-np.pi / 2, 0.0)).axes
     place = of.positions({"tilt": 0.1})["column"]

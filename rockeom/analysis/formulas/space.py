@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, numbers, positive, require
+from rockeom.structures import positions
 
 _NOT_FALLEN = "give a tilt between 0 and pi/2, in radians"
 
@@ -52,9 +53,7 @@ def base_reach(direction: ArrayLike, feet: ArrayLike):
     0.3
     """
     (azimuth,) = numbers("base_reach", direction=direction)
-    places = _feet("base_reach", feet)
-    x, y = places.T
-    return (x * np.cos(azimuth)[..., None] + y * np.sin(azimuth)[..., None]).max(axis=-1)
+    return positions.reach(_feet("base_reach", feet), azimuth)
 
 
 def overturning_tilt(direction: ArrayLike, feet: ArrayLike, height: ArrayLike):
