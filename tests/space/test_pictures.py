@@ -162,7 +162,42 @@ def test_a_view_from_below_and_a_slope_are_refused(asked, words):
         plots.draw_structure(PRISM, **asked)
 
 
+ROUND = [
+    rk.WobblingColumn(radius=0.25, height=2.0, mass=3.0, top_radius=0.1),
+    rk.Podium(columns=4, slab_mass=20.0, radius=0.25, height=2.0, mass=3.0),
+    rk.RollingCylinder(radius=0.25, height=2.0, mass=3.0, centroid_height=0.8),
+    rk.RollingCylinder(radius=0.25, height=0.0, mass=3.0),
+]
+
+
+@pytest.mark.parametrize("body", ROUND)
+def test_a_round_body_is_drawn_on_its_rim(body):
+    state = body.on_rim(0.2) if isinstance(body, rk.RollingCylinder) else {"tilt": 0.2}
+    places, turns = body.positions(state), body.rotations(state)
+    heights = {
+        name: (surface.vertices @ turns[name].T + places[name])[:, 2]
+        for name, surface in body.solids.items()
+    }
+    *slab, column = heights.values()
+    assert column.min() == pytest.approx(0.0, abs=1e-9)  # towards x, where the polygon is round
+    for above in slab:
+        assert above.min() == pytest.approx(column.max(), abs=1e-9)
+    (ax,) = plots.draw_structure(body).axes  # flat, or where it cannot be, leaning
+    assert len(faces(ax)) > 0
+    assert "sketch" in body._repr_html_()
+
+
 # --- films
+
+
+def test_the_ground_of_a_film_moves_along_the_axes_of_a_turned_statue():
+    run = rk.simulate(PRISM, EL_CENTRO[0], azimuth="90 deg", duration=3.0)
+    film = run.animate(start=2.0, end=2.5)
+    moved = np.zeros((len(film), 3))
+    moved[:, 1] = -ground_displacement(run.motion, film.times)
+    np.testing.assert_allclose(film.ground, projected(moved, *VIEW), atol=1e-12)
+    labels = [line.get_label() for line in run.plot().axes[0].lines]
+    assert labels == ["horizontal", "transverse"]
 
 
 def test_frames_of_a_film_in_space_show_the_response_at_their_time(tmp_path):

@@ -245,6 +245,8 @@ def test_a_rim_that_is_shaken_off_the_ground_lands_by_the_laws_of_mechanics(seed
     assert run.energy_balance().error < 1e-9
     assert run.extremes("rim_uplift").minimum > -1e-9
     assert run.impacts
+    needed = (run.support.foot_friction_demand, run.support.friction_demand)
+    assert needed[0] == (needed[1] if rolls else pytest.approx(np.nan, nan_ok=True))
     for impact in run.impacts:  # each without a rebound, and without a slip or without friction
         before, after = impact.before, impact.after
         impulse = body.mass * (vector(after, "_dot") - vector(before, "_dot"))

@@ -181,6 +181,11 @@ def test_a_prism_whose_centroid_is_beyond_its_base_is_refused():
         rk.Prism(width=0.5, depth=0.7, height=3.0, mass=1.0, offset_x=0.26)
 
 
+def test_a_yaw_is_no_size_of_a_prism():
+    with pytest.raises(TypeError, match="Prism: unknown yaw_degrees"):
+        rk.Prism(width=0.5, depth=0.7, height=3.0, mass=1.0, yaw_degrees=60.0)
+
+
 def test_a_statue_is_kept_and_read_again(tmp_path):
     body = rk.LeggedStatue(**TRIPOD)
     run = rk.simulate(body, rk.GroundMotion.none(0.5), initial={"pitch": 0.05})

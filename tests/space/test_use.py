@@ -64,6 +64,19 @@ def test_a_push_along_the_axis_of_a_turned_statue_is_that_of_the_plane(azimuths,
     assert run.extremes("reserve").minimum == pytest.approx(least, rel=1e-8)
 
 
+def test_an_azimuth_is_a_yaw_through_idle_feet():
+    """A foot that idled at rest slipped by rounding, was released, and the statue never fell."""
+    x, y, up = (1.5 * motion for motion in EL_CENTRO)
+    turned, yawed = (
+        rk.simulate(STATUE, x, transverse=y, vertical=up, **at)
+        for at in ({"azimuth": "60 deg"}, {"initial": {"yaw_degrees": 60.0}})
+    )
+    assert turned.outcome is yawed.outcome is rk.Outcome.OVERTURNED
+    modes = [[event.mode_after for event in run.events] for run in (turned, yawed)]
+    assert modes[0] == modes[1]
+    np.testing.assert_allclose(turned.impacts.times, yawed.impacts.times, atol=1e-6)
+
+
 def test_components_without_azimuths_are_counter_clockwise():
     x, y, up = (rk.GroundMotion.from_array(f * PUSH, dt=DT) for f in (1.0, 2.0, 0.5))
     run = rk.simulate(STATUE, rk.Recording("array", (x, y), up))
