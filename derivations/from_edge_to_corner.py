@@ -311,7 +311,7 @@ block = rk.RigidBlock(
     half_width=can.radius, half_height=0.06, mass=can.mass, inertia=inertia, gravity=gravity
 )
 struck = rk.simulate(can, rk.GroundMotion.none(0.2), initial={"tilt": 0.3 * can.alpha})
-print(f"{len(struck.impacts)} impact, ratio {can.velocity_ratio:.6f}, of the block "
+print(f"{len(struck.impacts)} impacts, ratio {can.velocity_ratio:.6f}, of the block "
       f"{block.velocity_ratio:.6f}")  # fmt: skip
 assert math.isclose(can.velocity_ratio, block.velocity_ratio)
 assert len(struck.impacts)

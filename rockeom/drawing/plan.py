@@ -82,7 +82,7 @@ def plot_tracks(run: Response, *, ax: Axes | None = None) -> Figure:
 
 @style.styled
 def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = None) -> Figure:
-    """Draw the tilt of a body in space against its direction, with the tilt at which it balances.
+    """Draw the tilt of a body in space against its direction, with the barrier of its weight.
 
     Parameters
     ----------
@@ -132,9 +132,9 @@ def plot_tilt(run: Response, *, body: str | None = None, ax: PolarAxes | None = 
         raise InputTypeError("ax", ax).give('polar axes, plt.subplot(projection="polar")')
     lean = lean_of(entries(turns[body]))
     tilt, direction = lean.tilt, lean.direction
-    surface = balance_tilts(run.structure, body, AZIMUTHS)
+    surface = barrier_tilts(run.structure, body, AZIMUTHS)
     if np.isfinite(surface).all():
-        ax.plot(AZIMUTHS, surface, "--", color=style.INK, lw=1.0, label="balance")
+        ax.plot(AZIMUTHS, surface, "--", color=style.INK, lw=1.0, label="barrier")
     reach = float(surface.max() if np.isfinite(surface).all() else tilt.max()) or 1.0
     limit = min(max(1.1 * reach, 1.05 * float(tilt.max())), 1.6 * reach)
     until = np.append(np.flatnonzero(tilt > limit), len(tilt))[0] + 1  # where it leaves the picture
@@ -190,16 +190,17 @@ def tilts_of(turns: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     return {name: found[name] for name in most if found[name].any() or name == most[0]}
 
 
-def balance_tilts(structure: Structure, body: str, directions: np.ndarray) -> np.ndarray:
-    """(n,) tilts at which a body balances on its base, leaning to directions (n,) from its x [rad].
+def barrier_tilts(structure: Structure, body: str, directions: np.ndarray) -> np.ndarray:
+    """(n,) barriers of a body on its base, leaning to directions (n,) from its x [rad].
 
     NaN where neither feet nor a surface say what its base is.
     """
     if has_barrier(structure):
         return structure.overturning_tilts(directions)
-    if body not in structure.solids:
+    solid = structure.solids.get(body)
+    if solid is None or solid.vertices[:, 2].min() >= 0.0:  # a slab on columns
         return np.full(len(directions), np.nan)
-    vertices = structure.solids[body].vertices
+    vertices = solid.vertices
     base = vertices[:, 2] <= vertices[:, 2].min() + _TOUCHES * np.ptp(vertices)
     return np.asarray(barrier_over(vertices[base], directions))
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 from rockeom.codes import IDLE_POINT, SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
-from rockeom.drawing.plan import AZIMUTHS, balance_tilts, tilts_of
+from rockeom.drawing.plan import AZIMUTHS, barrier_tilts, tilts_of
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
 from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import WORLD
@@ -163,16 +163,16 @@ def _rotation(ax: Axes, run: Response) -> None:
 
 
 def _tilt(ax: Axes, run: Response) -> None:
-    """Tilt of each body in space, and the least at which it balances, where that is in reach."""
+    """Tilt of each body in space, and the least barrier, where that is in reach."""
     bodies = tilts_of(run.places.rotations())
     for (body, tilt), stroke in zip(bodies.items(), style.strokes(style.OTHERS), strict=False):
         name = "tilt" if len(bodies) == 1 else style.plain(body.replace("_", " "))
         label = f"{name}, largest {tilt.max():.3g} rad"
         ax.plot(run.t, tilt, label=label, **stroke)  # type: ignore[arg-type]
         style.mark_overturning(ax, run, tilt, color=stroke["color"])
-    least = balance_tilts(run.structure, next(iter(bodies)), AZIMUTHS).min()
+    least = barrier_tilts(run.structure, next(iter(bodies)), AZIMUTHS).min()
     if least < ax.get_ylim()[1]:
-        ax.axhline(least, color=style.INK, lw=0.8, ls="--", zorder=1, label="least balance")
+        ax.axhline(least, color=style.INK, lw=0.8, ls="--", zorder=1, label="least barrier")
     ax.set_ylabel("tilt\n[rad]")
     style.legend_above(ax)
 

@@ -8,7 +8,7 @@ import trimesh
 
 import rockeom as rk
 from rockeom.codes import MOST_POINTS_IN_SPACE
-from rockeom.drawing.plan import balance_tilts
+from rockeom.drawing.plan import barrier_tilts
 from rockeom.modelling import mesh
 from rockeom.structures.positions import box
 
@@ -89,7 +89,7 @@ def test_a_round_base_has_the_eight_points_that_take_most_area(tmp_path):
     trimesh.creation.cone(1.0, 1.0, sections=24).export(tmp_path / "cone.obj")
     cone = rk.Boulder.from_mesh(tmp_path / "cone.obj", mass=10.0)
     assert len(cone.feet) == MOST_POINTS_IN_SPACE
-    least = balance_tilts(cone, "body", np.linspace(0, 2 * np.pi, 721)).min()
+    least = barrier_tilts(cone, "body", np.linspace(0, 2 * np.pi, 721)).min()
     assert np.tan(least) == pytest.approx(np.cos(np.pi / 6) / 0.25)  # its sides: 30 and 60 degrees
 
 

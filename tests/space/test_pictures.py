@@ -13,7 +13,7 @@ import rockeom as rk
 from rockeom import plots
 from rockeom.codes import FRICTIONLESS, SLIP_RIGHT
 from rockeom.drawing.animation import ground_displacement
-from rockeom.drawing.plan import balance_tilts
+from rockeom.drawing.plan import barrier_tilts
 from rockeom.drawing.scene import LOOKS, VIEW, Scene, work_of
 from rockeom.structures.positions import Solid, box, cylinder, lean_of, solid
 from tests.space.cases import Case
@@ -229,12 +229,12 @@ def test_the_stability_surface_of_a_prism_is_that_of_its_half_edges():
     body = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=1.0)
     d = np.linspace(-np.pi, np.pi, 37)
     expected = (0.25 * np.abs(np.cos(d)) + 0.35 * np.abs(np.sin(d))) / 1.5
-    np.testing.assert_allclose(np.tan(balance_tilts(body, "body", d)), expected, rtol=1e-12)
+    np.testing.assert_allclose(np.tan(barrier_tilts(body, "body", d)), expected, rtol=1e-12)
     case, corner = Case("stability_surface_90"), Case("balance_on_corner_A")
     sizes = {"width": 2 * case["b"], "depth": 2 * case["c"], "height": 2 * case["h"]}
     body = rk.Prism(**sizes, mass=case["m"])
     towards = np.array([np.pi / 2, corner.right("direction")])
-    onto_edge, onto_corner = balance_tilts(body, "body", towards)
+    onto_edge, onto_corner = barrier_tilts(body, "body", towards)
     case.agrees(overturning_tilt=onto_edge)
     corner.agrees(tilt=onto_corner)
 
@@ -245,7 +245,7 @@ def test_a_statue_balances_where_its_centroid_is_above_an_edge_or_a_foot():
         a, b = np.array(FEET[first]), np.array(FEET[second])
         across = np.array([b[1] - a[1], a[0] - b[0]]) / np.hypot(*(b - a))
         out = np.arctan2(*across[::-1])
-        (angle,) = balance_tilts(TRIPOD, "body", np.array([out]))
+        (angle,) = barrier_tilts(TRIPOD, "body", np.array([out]))
         assert np.tan(angle) == pytest.approx(abs(across @ a) / 0.6, rel=1e-12)
 
 
