@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 66_715, "tests": 51_116, "generated": 14_265, "/.": 322, "/analysis": 7_835,
-    "/assessment": 1_323, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_372, "/compiler": 2_165,
-    "/drawing": 1_477, "/exports": 1_771, "/generated": 229, "/integrator": 7_481,
-    "/modelling": 951, "/motion": 4_821, "/numbers": 1_029, "/plots": 1_174, "/simulation": 2_535,
-    "/structures": 4_038, "/sweeps": 2_076, "/symbolic": 9_017, "/teaching": 39,
+    "rockeom": 68_199, "tests": 52_435, "generated": 14_265, "/.": 328, "/analysis": 7_940,
+    "/assessment": 1_325, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_372, "/compiler": 2_165,
+    "/drawing": 1_901, "/exports": 1_788, "/generated": 229, "/integrator": 7_489,
+    "/modelling": 1_345, "/motion": 4_860, "/numbers": 1_029, "/plots": 1_177, "/simulation": 2_687,
+    "/structures": 4_198, "/sweeps": 2_092, "/symbolic": 9_174, "/teaching": 39,
     "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
@@ -249,7 +249,7 @@ def figures() -> list[Figure]:
         ),
         Figure("longest function", max(f.lines for f in every), 66),
         Figure("functions over 60 lines", sum(f.lines > 60 for f in every), 1),
-        Figure("most arguments", max(f.arguments for f in every), 12),
+        Figure("most arguments", max(f.arguments for f in every), 13),
         Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 3),
         Figure("highest cyclomatic number", max(f.branches for f in every), 30),
         Figure("circles of files at run time", len(at_run_time), 0),
@@ -262,7 +262,7 @@ def figures() -> list[Figure]:
         Figure("modules at the root", folders["."], 4),
         Figure("files of a folder", max(folders.values()), 21),
         Figure("names of analysis", public_names("rockeom.analysis"), 11),
-        Figure("members of Response", members(of, "Response"), 39),
+        Figure("members of Response", members(of, "Response"), 40),
         Figure("lines of code of a file", max(code_lines(s.text) for s in of), 666),
         Figure("names found, known, given", vague_names(of), 1103),
         Figure("texts that are run", count(r"\bexec\("), 3),
