@@ -528,6 +528,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     # -- which of them stay, and move along, or leave
     leaving, sizes = np.zeros(N_POINTS, np.int64), np.empty(ROWS + N_POINTS)
     sizes_of(squared(contact, y[n:]), contact, sizes)
+    shaking = shaking_at(ground, 0, 1)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
@@ -543,7 +544,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
         slip, size = slip_of(contact, i, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
         if state == IDLE_POINT and not still:
-            still = at_rest_along(i, slip, mode, out, p, shaking_at(ground, 0, 1), contact)
+            still = at_rest_along(i, slip, mode, out, p, shaking, contact)
         if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
             still = True
         if still:
@@ -556,7 +557,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
-    g, shaking = np.empty(N_GUARDS + N_PARTS), shaking_at(ground, 0, 1)
+    g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
 
