@@ -112,6 +112,17 @@ def test_shaken_along_an_axis_it_is_the_rigid_block(way, half):
     assert abs(angle.peak) == pytest.approx(abs(expected.extremes("theta").peak), rel=1e-7)
 
 
+def test_landings_from_corner_to_corner_end_on_the_edge_which_then_jams():
+    """Hops too low to be followed leave no slip behind; the jam is that of the shared case."""
+    body = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=1.0, gravity=GRAVITY)
+    run = rk.simulate(body, 1.5 * EL_CENTRO[0], transverse=1.5 * EL_CENTRO[1], duration=12.0)
+    (rest,) = (event for event in run.events if event.kind == "rest" and 2.9 < event.time < 3.5)
+    assert (rest.mode_before, rest.mode_after) == ("north_west", "south_west_north_west")
+    assert rest.after["yaw_dot"] == pytest.approx(0.0, abs=1e-15)
+    jam = next(event for event in run.events if "released" in event.mode_after)
+    assert jam.time == pytest.approx(11.4423, abs=1e-4)
+
+
 def test_a_body_turned_by_any_yaw_moves_alike():
     """Shaken along two turned axes, with the structure turned as far."""
     body = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=1.0)

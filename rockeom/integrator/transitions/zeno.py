@@ -160,7 +160,9 @@ def time_of_bounces(state, tolerance, rtol, contact, out):
     if lost and not total < np.inf:
         total = 0.0
         bounces.points[:N_POINTS] = 0
-        follows = all_closed(state, bounces, 0.0, 0.0, rtol, contact, out)
+        # in space a point that never slips and hops as slowly as it slips has come to rest, too
+        ends = start if DIRECTIONS == 3 else 0.0
+        follows = all_closed(state, bounces, ends, 0.0, rtol, contact, out)
     for _ in range(N_POINTS):
         after = state._replace(mode=follows, y=out)
         if not (total < np.inf and follows >= 0 and any_lost(after, contact, dy)):
