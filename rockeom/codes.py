@@ -49,11 +49,13 @@ STEPPED_OVER = -2
 # (one that is closed without friction slips or not, as the rest of the structure moves it; an idle
 # one touches and bears nothing, since others bear the load without it)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS, IDLE_POINT = range(6)
-DIGITS_OF_STATES = _, BEARS, IDLES, RELEASED = range(4)
+DIGITS_OF_STATES = range(8)
+_, BEARS, IDLES, RELEASED, SLIPS = DIGITS_OF_STATES[:5]
 """Digits of a point in the number of a mode of a structure in space: 0 where it is open.
 
-It bears, sticking unless it is smooth; it is idle; or it is released, since it would have to slip
-and never does, and bears without friction.
+It bears, sticking unless it is smooth; it is idle; it is released, since it would have to slip and
+never does, and bears without friction; or it slips, with a digit more for each quarter turn from x
+of the axis that is nearest to the direction in which it does.
 """
 MOST_POINTS_IN_SPACE = 8
 IMPOSSIBLE, AMBIGUOUS = -1, -2

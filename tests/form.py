@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 68_199, "tests": 52_435, "generated": 14_265, "/.": 328, "/analysis": 7_940,
-    "/assessment": 1_325, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_372, "/compiler": 2_165,
-    "/drawing": 1_901, "/exports": 1_788, "/generated": 229, "/integrator": 7_489,
-    "/modelling": 1_345, "/motion": 4_860, "/numbers": 1_029, "/plots": 1_177, "/simulation": 2_687,
-    "/structures": 4_198, "/sweeps": 2_092, "/symbolic": 9_174, "/teaching": 39,
+    "rockeom": 68_963, "tests": 52_710, "generated": 14_265, "/.": 330, "/analysis": 7_940,
+    "/assessment": 1_325, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_381, "/compiler": 2_165,
+    "/drawing": 1_901, "/exports": 1_788, "/generated": 523, "/integrator": 7_870,
+    "/modelling": 1_349, "/motion": 4_860, "/numbers": 1_052, "/plots": 1_177, "/simulation": 2_714,
+    "/structures": 4_220, "/sweeps": 2_092, "/symbolic": 9_176, "/teaching": 39,
     "/thesis": 9_920,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""

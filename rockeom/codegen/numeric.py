@@ -34,10 +34,13 @@ def _solved(text: Text, of: ContactDeclaration) -> list[str]:
     return [
         f"    matrix, forces = np.empty({n * n}), np.empty({n})",
         f"    told, share = np.empty({m * (7 + 3 * n)}), np.empty({3 * m})",
-        f"    accelerations = np.empty({n})",
+        f"    accelerations, laws = np.empty({n}), np.empty({2 * m})",
         f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
         "    points(y, p, told)",
-        f"    motion_in_code(mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share)",
+        "    point_laws(p, laws)",
+        "    motion_in_code(",
+        f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, laws, accelerations, share",
+        "    )",
     ]
 
 
@@ -80,15 +83,23 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
     )
 
 
+def _guards_of_points(of: ContactDeclaration) -> int:
+    """One of each point, and two more where points may slip with friction."""
+    laws = [c.law for c in of.contacts]
+    rub = any(law.friction is not None and not law.frictionless for law in laws)
+    return (3 if rub else 1) * len(laws)
+
+
 def _guards(text: Text, of: ContactDeclaration) -> None:
     n, m = text.n, len(of.contacts)
-    bounds = {f"g[{m + i}]": e for i, e in enumerate(of.limits.values())}
+    first = _guards_of_points(of)
+    bounds = {f"g[{first + i}]": e for i, e in enumerate(of.limits.values())}
     text.function(
         f"guards(mode, y, p, {text.shaking}, g)",
         "Guards of a mode into g (N_GUARDS,): all positive in it; the first to fall ends it.",
         [
             *_solved(text, of),
-            f"    guards_in_code(mode, {n}, {m}, told, share, g)",
+            f"    guards_in_code(mode, {n}, {m}, SMOOTH, told, laws, share, g)",
             *text.evaluate("guards", bounds, "    ", hoist=True),
         ],
     )
@@ -128,11 +139,12 @@ def _tables(of: ContactDeclaration) -> list[str]:
     return [
         *table("POINTS", [c.name for c in of.contacts]),
         "ELEMENTS = ()",
-        f"N_GUARDS = {m + len(limits)}",
+        f"N_GUARDS = {_guards_of_points(of) + len(limits)}",
         "N_PARTS = 0",
         f"N_POINTS = {m}",
         "N_ELEMENTS = 0",
         *(table("BOUNDS", limits) if limits else []),
+        f"FIRST_BOUND = {_guards_of_points(of)}  # of the guards",
         f"N_BOUNDS_OF_DECLARATION = {len(of.bounds)}  # behind them are tilts that overturn",
         *(["HELD_ACROSS = True"] if of.is_held_across else []),
         "TRANSITIONS = ()",
@@ -147,5 +159,5 @@ def _tables(of: ContactDeclaration) -> list[str]:
         "from rockeom.numbers.mode_codes import tables_by_code",
         "(",
         f"    {', '.join(_TABLES)},",
-        f") = tables_by_code(POINTS, SMOOTH, {len(limits)})",
+        f") = tables_by_code(POINTS, SMOOTH, N_GUARDS, {len(limits)})",
     ]

@@ -81,6 +81,7 @@ from rockeom.integrator.polynomials import (
 )
 from rockeom.integrator.provided import (
     AXES,
+    BENT,
     CONTACT_SIZE,
     ERROR_EXPONENT,
     EXTRAPOLATES,
@@ -417,7 +418,7 @@ def plan(motion, ground, case, a):
         h=h, end=end, longest=longest, whole=whole,
         bound=most_error(case.rtol) if equal else 1.0, error=0.0,
         cut=cut, equal=equal, still=still, stands=stands, hops=hops, hop=hop, target=-1, landed=-1,
-        lands=False, slope=0.0, more=0.0, corrections=0, overlooked=0,
+        lands=False, slope=0.0, more=0.0, corrections=0, value=0.0, moved=0.0, overlooked=0,
         sampled=motion.sampled and motion.closed < 0 and not still, overturns=False, turns=False,
         h_next=h_next, last_error=motion.last_error, refined_to=motion.refined_to,
         refined=motion.refined, taken=motion.taken + int(stands), outcome=COMPLETED,
@@ -520,12 +521,16 @@ def land(motion, ground, step, case, a):
     """(verdict, step): correct what is left of the guard at the end of a step that ends on it."""
     certain = rocking(motion.mode) or step.lands
     tau, near = motion.t + step.h, 0.01  # near : the largest correction that is believed
+    value = 0.0
     if certain:
         move = time_to_landing(motion, step, case, a)
         near = 0.1 if step.corrections == 0 else 0.01
     else:
         guards(motion.mode, a.y_new, case.p, *ground_accelerations(ground, tau), a.g)
-        move = -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0
+        value, slope = a.g[step.target], step.slope
+        if BENT and step.corrections > 0 and (value - step.value) * step.moved < 0.0:
+            slope = (value - step.value) / step.moved
+        move = -value / slope if slope < 0.0 else 0.0
     least = max(2.0 * EPS * tau, PLACED * case.rtol * step.h)
     small = math.sqrt(max(LEAST_OF_QUINTIC, min(PLACED_BY_QUINTIC, case.rtol))) * step.h
     more = step.more
@@ -533,7 +538,9 @@ def land(motion, ground, step, case, a):
         extrapolate(step.h, move, a.y, a.y_new, a.k)
         more = move
     elif step.corrections < 8 and least < abs(move) < near * step.h:
-        return AGAIN, step._replace(corrections=step.corrections + 1, h=step.h + move)
+        return AGAIN, step._replace(
+            corrections=step.corrections + 1, h=step.h + move, value=value, moved=move
+        )
     misplaced = abs(move) >= 0.01 * step.h
     misplaced = misplaced or (
         not certain

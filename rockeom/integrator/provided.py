@@ -28,6 +28,7 @@ N_GUARDS: int
 N_PARTS: int
 N_POINTS: int
 N_BOUNDS_OF_DECLARATION: int
+FIRST_BOUND: int
 CONTACT_SIZE: int
 N_ELEMENTS: int
 ROTATION: int
@@ -104,6 +105,7 @@ N_MODES: int
 N_CANDIDATES: int
 EXTRA_CANDIDATES: int
 FIRST_FITS: bool
+BENT: bool
 MOST_FITTING: int
 SMOOTH: int
 
@@ -136,6 +138,12 @@ def margin_of(
     candidate: Int, near: Floats, sliding: Floats, wanted: Floats, contact: Floats, sizes: Floats,
     impulse: Floats, least_of_all: Float,
 ) -> float: ...  # fmt: skip
+def slips_begin(mode: Int, sliding: Floats) -> bool: ...
+def aim_slips(
+    mode: Int, sliding: Floats, wanted: Floats, contact: Floats, motion: Floats
+) -> bool: ...
+def begin_slips(mode: Int, sliding: Floats, wanted: Floats, contact: Floats, y: Floats) -> None: ...
+def stops(point: Int, subject: Int, mode: Int, slip: Float) -> bool: ...
 def held_upright(mode: Int, y: Floats, p: Floats) -> bool: ...
 def tips_over(y: Floats, p: Floats) -> bool: ...
 

@@ -171,7 +171,8 @@ class Step(NamedTuple):
     hop. bound : of its error. cut : it ends where a segment does. equal : its length is not
     controlled by its error. hops, hop : it is one flight of a point, to this guard. target : the
     guard on which it should end, and landed on which it does, or -1. lands : nothing but that
-    landing ends it. slope : of the guard. more : what the end was moved by. overturns : something
+    landing ends it. slope : of the guard. more : what the end was moved by. value, moved : of
+    the guard before the last correction of the length, and this. overturns : something
     may reach its bound. turns : an extreme may lie within.
     """
 
@@ -193,6 +194,8 @@ class Step(NamedTuple):
     slope: float
     more: float
     corrections: int
+    value: float
+    moved: float
     overlooked: int
     sampled: bool
     overturns: bool

@@ -134,6 +134,8 @@ PASSED = 1e-9
 CLOSEST = 1e-7
 # In units of sqrt(a l): slower points of a given state do not move, whatever else does.
 NO_MOTION = 1e-8
+# In the same units: a slip of an idle point that is nothing but rounding of a structure at rest.
+NO_SLIP = 1e-10
 # Rate of a rotation that points hold [rad/s]: rounding errors of the last impacts.
 NO_TURN = 1e-14
 # In units of sqrt(a l): the speed of landings between whose outcomes nothing decides.
@@ -208,6 +210,14 @@ LOOK_BESIDE = 1e-6
 SOON = 1e-6
 # In parts of a step: after which forces decide between modes that move alike at an event.
 SOON_IN_STEP = 1e-5
+# [m/s, rad/s] the velocity with which a slip in space begins, so that it has a direction.
+FIRST_SLIP = 1e-8
+# Relative to how a point yields along the ground: the direction of a slip that begins is known.
+SAME_DIRECTION = 1e-13
+# Relative to how freely a point moves: it yields by so much at least where it is about to slip.
+LEAST_YIELD = 1e-9
+# [m/s] a slip in space that has come to its end, and has not only turned.
+STOPPED = 1e-8
 # Relative to a flight of a bounce: the same after a landing, in a time that is itself short.
 SOON_IN_FLIGHT = 1e-3
 # [s] the same after a rest, and at the start of a motion, whose states are exact.

@@ -34,13 +34,15 @@ class _StandingBody(StructureWithFields):
 
 def _slips(kind: str, friction: float | None, restitution: float) -> str:
     """The word for how feet slip; raises InputError for numbers out of their ranges."""
-    if friction is not None and friction != 0:
-        raise InputError("friction", friction, kind).give(
-            "None, for feet that never slip, or 0: friction between both is not modelled yet"
-        )
     if not 0 <= value_of(restitution) <= 1:
         raise InputError("restitution", restitution, kind).give("a ratio of rates, 0 to 1")
-    return "never" if friction is None else "freely"
+    if friction is None:
+        return "never"
+    if value_of(friction) > 0 and value_of(restitution) > 0:
+        raise InputError("restitution", restitution, kind).give(
+            "0 where feet rub: Newton's law with friction may gain energy in space"
+        )
+    return "rubbing" if value_of(friction) > 0 else "freely"
 
 
 def _check_base(kind: str, places: np.ndarray) -> None:
@@ -77,9 +79,10 @@ class Prism(_StandingBody):
     mass : float
         Mass [kg].
     friction : float, optional
-        None for corners that never slip, or 0 for smooth ones.
+        Coefficient of friction at each corner; None for corners that never slip.
     restitution : float, optional
-        Ratio of the rates of a corner's gap after and before it lands alone, 0 to 1.
+        Ratio of the rates of a corner's gap after and before it lands alone, 0 to 1; 0 with
+        friction.
     offset_x : float, optional
         Place of the centroid along x, from the middle of the base [m].
     offset_y : float, optional
@@ -107,6 +110,10 @@ class Prism(_StandingBody):
     A corner that never slips is released where it would jam: where no forces fit that press, it
     bears without friction until it opens or lands again. Where several sets of corners fit an
     impact, the one with more corners closed follows, which loses more energy.
+
+    Friction is Coulomb's: corners stick as long as some share of the force along the ground lies
+    in the cones of all, and slip against their friction. A slip begins with a velocity of 1e-8 m/s,
+    which gives it its direction.
 
     Examples
     --------
@@ -160,7 +167,8 @@ class Prism(_StandingBody):
         values |= {name: getattr(self, name) for name in values if getattr(self, name) is not None}
         names = ("mass", "width", "depth", "offset_x", "offset_y", "restitution", "gravity")
         height = self.height / 2 if self.centroid_height is None else self.centroid_height
-        return values | {name: getattr(self, name) for name in names} | {"centroid_height": height}
+        values |= {name: getattr(self, name) for name in names} | {"centroid_height": height}
+        return values | ({"friction": self.friction} if self.friction else {})
 
 
 class LeggedStatue(_StandingBody):
@@ -179,9 +187,9 @@ class LeggedStatue(_StandingBody):
     inertia : array_like
         Inertia tensor (3, 3) about the centroid along these axes [kg m2].
     friction : float, optional
-        None for feet that never slip, or 0 for smooth ones.
+        Coefficient of friction at each foot; None for feet that never slip.
     restitution : float, optional
-        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1.
+        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1; 0 with friction.
     gravity : float, optional
         Acceleration of gravity [m/s2].
     shape : tuple, optional
@@ -318,7 +326,8 @@ class LeggedStatue(_StandingBody):
         for foot, (x, y) in self._arms:
             values |= {f"{foot}_x": x, f"{foot}_y": y}
         values |= {name: getattr(self, name) for name in ("mass", "restitution", "gravity")}
-        return values | {"centroid_height": self.centroid[2]}
+        values |= {"centroid_height": self.centroid[2]}
+        return values | ({"friction": self.friction} if self.friction else {})
 
 
 def _check_numbers(kind: str, name: str, values: Any, length: int) -> None:

@@ -195,12 +195,24 @@ def of_compounds(module: Any) -> Any:
         "math": mathematics,
         "np": _ARRAYS,
     }
+    around = {id(vars(module)): names}
     for name, function in vars(module).items():
         if isinstance(function, FunctionType):
-            own = function.__globals__ is vars(module)  # or it is imported, with its constants
-            around = names if own else {**function.__globals__, **names}
-            names[name] = FunctionType(function.__code__, around)
+            home = function.__globals__
+            if id(home) not in around:  # it is imported, with its constants and what it calls there
+                around[id(home)] = {**home, **names}
+                around[id(home)] |= _called_with(around[id(home)], home)
+            names[name] = FunctionType(function.__code__, around[id(home)])
     return SimpleNamespace(**names)
+
+
+def _called_with(names: dict[str, Any], home: dict[str, Any]) -> dict[str, FunctionType]:
+    """The functions of a module with other names around them."""
+    return {
+        name: FunctionType(function.__code__, names)
+        for name, function in home.items()
+        if isinstance(function, FunctionType) and function.__globals__ is home
+    }
 
 
 def for_arrays(module: Any, *arrays: np.ndarray) -> Any:

@@ -8,6 +8,8 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
+
 from rockeom.codes import (
     BEARS,
     BOUND,
@@ -19,10 +21,16 @@ from rockeom.codes import (
     LIFTING,
     OPEN,
     RELEASED,
+    SLIP_RIGHT,
+    SLIPPING,
+    SLIPS,
     STICK,
+    STICKING,
 )
 
-_WORDS = {BEARS: "", IDLES: "_idle", RELEASED: "_released"}
+_WORDS = {BEARS: "", IDLES: "_idle", RELEASED: "_released"} | {
+    SLIPS + turns: f"_slides_{way}" for turns, way in enumerate(("east", "north", "west", "south"))
+}
 _DIGITS = {word: digit for digit, word in _WORDS.items()}
 _FLIGHT = "flight"
 
@@ -87,6 +95,14 @@ class ModeNames(ByCode):
         return True
 
 
+def rows_of(table: Sequence[Any], modes: np.ndarray) -> np.ndarray:
+    """The rows that a table has of modes (n,), (n, ...); of codes only those that occur."""
+    if not isinstance(table, ByCode):
+        return np.array(table)[modes]
+    found, which = np.unique(modes, return_inverse=True)
+    return np.array([table[mode] for mode in found.tolist()])[which.reshape(np.shape(modes))]
+
+
 def digits_of(mode: int, points: int) -> tuple[int, ...]:
     """The digits of the points in the number of a mode."""
     base = len(DIGITS_OF_STATES)
@@ -98,7 +114,7 @@ def code_of(digits: Sequence[int]) -> int:
     return sum(digit * len(DIGITS_OF_STATES) ** i for i, digit in enumerate(digits))
 
 
-def tables_by_code(points: Sequence[str], smooth: int, bounds: int) -> tuple[Any, ...]:
+def tables_by_code(points: Sequence[str], smooth: int, guards: int, bounds: int) -> tuple[Any, ...]:
     """MODES, POINT_STATES, KINDS, SUBJECTS, SHARED and others whose rows are alike.
 
     Parameters
@@ -107,6 +123,8 @@ def tables_by_code(points: Sequence[str], smooth: int, bounds: int) -> tuple[Any
         Names of the points.
     smooth : int
         Number with a binary digit 1 for each point without friction.
+    guards : int
+        Number of guards.
     bounds : int
         Number of bounds, whose guards stand behind those of the points.
 
@@ -117,16 +135,18 @@ def tables_by_code(points: Sequence[str], smooth: int, bounds: int) -> tuple[Any
         TARGETS, REVERSE and PARTS, which are one.
     """
     m = len(points)
-    subjects = tuple(range(m + bounds))
+    subjects = (*[i % m for i in range(guards - bounds)], *range(m, m + bounds))
 
     def kinds(digits: tuple[int, ...]) -> tuple[int, ...]:
-        of_points = (LANDING if digit == OPEN else LIFTING for digit in digits)
-        return (*of_points, *[BOUND] * bounds)
+        of_gaps = (LANDING if digit == OPEN else LIFTING for digit in digits)
+        of_slips = [STICKING if digit >= SLIPS else SLIPPING for digit in digits]
+        every = (*of_gaps, *of_slips, *of_slips)[: guards - bounds]
+        return (*every, *[BOUND] * bounds)
 
     def states(digits: tuple[int, ...]) -> tuple[int, ...]:
         return tuple(
             {OPEN: OPEN, IDLES: IDLE_POINT, RELEASED: FRICTIONLESS}.get(
-                digit, FRICTIONLESS if smooth >> i & 1 else STICK
+                digit, SLIP_RIGHT if digit >= SLIPS else FRICTIONLESS if smooth >> i & 1 else STICK
             )
             for i, digit in enumerate(digits)
         )

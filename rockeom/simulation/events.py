@@ -18,7 +18,9 @@ from rockeom.codes import (
     LANDING,
     LIFTING,
     REST,
+    SLIP_RIGHT,
     STICK,
+    STICKING,
 )
 from rockeom.integrator.schema import (
     GeneratedModule,
@@ -41,9 +43,9 @@ KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 BREAK = "break"
 """Word for the switch in which a tie breaks."""
 
-IDLE, BEARS_AGAIN, RELEASE = "idle", "bears again", "released"
-"""Words for a point in space that ceases to bear while others keep it closed, and its return; and
-for one that never slips and is let loose."""
+IDLE, BEARS_AGAIN, RELEASE, TURN = "idle", "bears again", "released", "slip turns"
+"""Words for a point in space that ceases to bear while others keep it closed, and its return; for
+one that never slips and is let loose; and for a slip that has turned to another quarter."""
 
 MEASURABLE = 1e-3
 """Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
@@ -60,9 +62,9 @@ class Event:
     kind : str
         "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
         infinitely many impacts); "break" of a tie. Where contacts may open and slide: "landing",
-        "lifting", "slip begins", "slip ends"; in space "idle", "bears again"
-        and "released". "bound", where a
-        declaration holds no further, or a body in space has overturned by its tilt.
+        "lifting", "slip begins", "slip ends"; in space "slip turns", "idle", "bears again" and
+        "released". "bound", where a declaration holds no further, or a body in space has overturned
+        by its tilt.
     mode_before : str
         Name of the mode before.
     mode_after : str
@@ -200,15 +202,17 @@ class Events(Sequence[Event]):
 
 def _word(module: GeneratedModule, kind: int, before: int, after: int, guard: int) -> str:
     """Word of an event; a point whose force falls to zero may become idle, and bear again."""
-    if kind == LIFTING and is_by_code(module) and has_points(module):
-        point = module.SUBJECTS[before][guard]
-        if module.POINT_STATES[after][point] == IDLE_POINT:
-            return IDLE
-        if module.POINT_STATES[before][point] == IDLE_POINT:
-            return BEARS_AGAIN
-        if module.POINT_STATES[before][point] == STICK:
-            return RELEASE if module.POINT_STATES[after][point] == FRICTIONLESS else KINDS[kind]
-    return KINDS[kind]
+    if not (kind in (LIFTING, STICKING) and is_by_code(module) and has_points(module)):
+        return KINDS[kind]
+    point = module.SUBJECTS[before][guard]
+    was, comes = (module.POINT_STATES[mode][point] for mode in (before, after))
+    if kind == STICKING:
+        return TURN if comes == SLIP_RIGHT else KINDS[kind]
+    if comes == IDLE_POINT:
+        return IDLE
+    if was == IDLE_POINT:
+        return BEARS_AGAIN
+    return RELEASE if (was, comes) == (STICK, FRICTIONLESS) else KINDS[kind]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -20,6 +20,10 @@ MOST_PIECES = 64  # pieces of candidates, before those that are none any more ar
 FINER = np.linspace(0.0, 1.0, 17)  # places within a bracket, each time again
 BRACKETS = PARTS * CHUNK // len(FINER)  # narrowed together: as many places as steps have
 NARROWINGS = 8  # 0.25 / 8**8 of a step is 1.5e-8: of the value its square is lost
+SHORTEST = 1e-6
+"""[s] Within a shorter step nothing happens: there is no extreme but at its ends. Slips in space as
+slow as 1e-6 m/s bound explicit steps by their stability, and between the ends of such steps the
+direction of friction is not known."""
 _SIGNS = np.array([-1.0, 1.0])
 
 
@@ -141,6 +145,7 @@ class Running:
         """The next steps; after : when the one behind them begins [s]."""
         search = Search.within(steps, self.evaluate, self.end, after)
         x, t, values = search.grid(0, len(steps))
+        _straighten(values, steps.span[:, 1] < SHORTEST)
         f = _SIGNS[:, None, None, None] * values  # (2, steps, places, m)
         f[np.isnan(f)] = -np.inf
         flat = f.reshape(2, -1, f.shape[-1])
@@ -202,6 +207,13 @@ class Running:
             Extremes(float(-best[0, i]), float(best[1, i]), float(when[0, i]), float(when[1, i]))
             for i in range(best.shape[1])
         ]
+
+
+def _straighten(values: np.ndarray, short: np.ndarray) -> None:
+    """Let values (n, PARTS + 1, m) go straight from end to end in steps that are short (n,)."""
+    if short.any():
+        first, last = values[short, :1], values[short, -1:]
+        values[short] = first + np.linspace(0.0, 1.0, PARTS + 1)[:, None] * (last - first)
 
 
 def extremes(steps: Steps, evaluate: Evaluate, end: float = np.inf) -> list[Extremes]:

@@ -21,15 +21,20 @@ def describe_tilt(
     tilt: Extremes, direction: float, reserve: Extremes | None, towards: float
 ) -> str:
     """The largest tilt and the least reserve of a body in space, and the azimuths of both."""
-    text = f"Largest tilt: {with_degrees(tilt.maximum, 'rad')}"
-    if tilt.maximum > 0.0:
-        text += f" towards {_in_degrees(direction)} at {tilt.maximum_time:.4g} s"
+    if not tilt.maximum > _NO_TILT:
+        return "It did not tilt."
+    text = f"Largest tilt: {with_degrees(tilt.maximum, 'rad')} towards {_in_degrees(direction)}"
+    text += f" at {tilt.maximum_time:.4g} s"
     if reserve is None:
         return f"{text}."
     part = max(1.0 - reserve.minimum, 0.0)
     left = f"{100 * reserve.minimum:.3g} %" if part < 1.0 else "none"
     where = f", towards {_in_degrees(towards)}" if part else ""
     return f"{text}. Largest tilt/barrier: {part:.3g}{where}. Reserve: {left}."
+
+
+_NO_TILT = 1e-12
+"""[rad] What rounding leaves of the tilt of a body that stands, or slides."""
 
 
 def _in_degrees(azimuth: float) -> str:

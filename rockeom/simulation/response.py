@@ -16,6 +16,7 @@ from rockeom.motion.slope import SLOPE
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of, require
 from rockeom.numbers.degrees import with_degrees
+from rockeom.numbers.mode_codes import rows_of
 from rockeom.numbers.pictures import picture
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
@@ -185,7 +186,7 @@ class Response:
     @property
     def mode(self) -> np.ndarray:
         """(n,) name of the mode at each sample."""
-        return np.array(self.structure.module.MODES)[self._rows.mode]
+        return rows_of(self.structure.module.MODES, self._rows.mode)
 
     @property
     def impacts(self) -> Impacts:
@@ -645,7 +646,7 @@ class Response:
             t = array_of("times", times)
             require(t.ndim == 1, "", "times", t, "give one dimension, (n,)")
             values = self.at(t, names=names)
-            modes = np.array(self.structure.module.MODES)[self.steps.at(t, "right")[1]]
+            modes = rows_of(self.structure.module.MODES, self.steps.at(t, "right")[1])
         units = units_with_time(self.structure.module, self.units)
         return over_time(t, modes, values, units).assign_attrs(
             model=self.structure.model,

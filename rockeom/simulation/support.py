@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
+from rockeom.codes import LANDING, NEVER_SLIPS, SLIP_LEFT, SLIP_RIGHT
 from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code, still_ground
+from rockeom.numbers.mode_codes import rows_of
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.extremes import Extremes, extremes, last_crest
 from rockeom.simulation.feet import least_friction
@@ -238,7 +239,8 @@ class Support:
         module: Any = self._structure.module
         if not is_by_code(module):
             return []
-        return [n for i, n in enumerate(module.POINTS) if not module.SMOOTH >> i & 1]
+        friction = friction_of(module, self._structure.vector)
+        return [n for n, mu in zip(module.POINTS, friction, strict=True) if mu >= NEVER_SLIPS]
 
     # -- contact
 
@@ -251,9 +253,9 @@ class Support:
         module = self._structure.module
         if not has_landings(module):
             return np.empty((0, 2))
-        slides = [not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row) for row in module.POINT_STATES]
         spans, modes = self.spans
-        return spans[np.array(slides)[modes]]
+        states = rows_of(module.POINT_STATES, modes)
+        return spans[((states == SLIP_RIGHT) | (states == SLIP_LEFT)).any(axis=1)]
 
     @property
     def spans(self) -> tuple[np.ndarray, np.ndarray]:
@@ -306,6 +308,8 @@ class Support:
         slid = np.diff(spans).sum()
         if slid > 1e-12 * self._rows.t[-1]:
             return f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
+        if is_by_code(self._structure.module):
+            return f"It did not slide{', but for impacts' * bool(len(self._events.impacts))}."
         demands, module = self.friction_demands, self._structure.module
         bounds = friction_of(module, self._structure.vector)
         for surface, points in surfaces(module).items():
@@ -318,6 +322,9 @@ class Support:
         return f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
 
     def _describe_in_space(self) -> str:
+        friction = friction_of(self._structure.module, self._structure.vector)
+        if ((friction > 0.0) & (friction < NEVER_SLIPS)).any():
+            return self._describe_sliding()
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
         alone = self.foot_friction_demand

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers.mode_codes import rows_of
 from rockeom.simulation.events import Impacts
 from rockeom.structures.units import in_udunits, time_unit
 
@@ -41,14 +42,13 @@ def over_time(
 def over_impacts(impacts: Impacts, units: Mapping[str, str]) -> dict[str, Any]:
     """Variables over "impact": times, points, modes and states before and after."""
     times, kinds, states = impacts.columns
-    names = np.array(impacts.structure.module.MODES)
     points = np.array([impact.contact for impact in impacts], dtype=str)
     variables: dict[str, Any] = {
         "impact_time": ("impact", times, _attributes(units["t"], "time of the impact")),
         "impact_contact": ("impact", points, {"long_name": "points that landed"}),
     }
     for side, when in enumerate(("before", "after")):
-        modes = names[kinds[:, 1 + side]]
+        modes = rows_of(impacts.structure.module.MODES, kinds[:, 1 + side])
         variables[f"mode_{when}"] = "impact", modes, {"long_name": f"mode {when}"}
         for i, name in enumerate(impacts.structure.states):
             about = _attributes(units[name], f"{in_words(name)} {when} the impact")

@@ -1,6 +1,7 @@
 """Works and losses of a motion, by quadrature over its steps; its balance of energy."""
 
 from collections.abc import Callable
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -173,14 +174,16 @@ class Works:
         powers = filled(module, p, "powers", 3, mode, y, *ground)
         lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
-        if has_landings(module) and not is_by_code(module):  # points in space have no friction
+        if has_landings(module):
             rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
             size = len(module.KINEMATICS)
             slips = jets(module, p, "kinematics", size, mode, y, rates)[1]
             forces = at_states(module, p, "reactions", mode, y, *ground)
-            for point in module.POINTS:
-                rate = slips[module.KINEMATICS.index(f"{point}_slip")]
-                friction[0] -= forces[f"{point}_friction"] * rate
+            ways = ("_x", "_y") if is_by_code(module) else ("",)
+            for point, way in product(module.POINTS, ways):
+                if (name := f"{point}_slip{way}") in module.KINEMATICS:
+                    rate = slips[module.KINEMATICS.index(name)]
+                    friction[0] -= forces[f"{point}_friction{way}"] * rate
         return np.concatenate([powers, friction, lost])
 
     def at(self, rows: Rows) -> dict[str, np.ndarray]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from rockeom.integrator.schema import GeneratedModule, still_ground
+from rockeom.integrator.schema import GeneratedModule, is_by_code, still_ground
 
 _MOST_LINEAR = 16
 """Number of modes that are linearised, at most: dampers of a structure with more act in all."""
@@ -45,11 +45,13 @@ def _damping(m: GeneratedModule, p: np.ndarray) -> float:
 def _linear(m: GeneratedModule, p: np.ndarray, first: int) -> Iterator[np.ndarray]:
     """(N, N - first) derivatives of the rates at rest by the states from `first` on.
 
-    Modes whose points hold the structure by more than is needed have none, and are left out.
+    Modes whose points hold the structure by more than is needed have none, and are left out. In
+    space flight is the only one: at rest a slip has no direction.
     """
+    modes = 1 if is_by_code(m) else min(len(m.MODES), _MOST_LINEAR)
     steps = 1e-6 * np.eye(m.N_STATES)[first:]
     forth, back = np.empty((2, *steps.shape))
-    for mode in range(min(len(m.MODES), _MOST_LINEAR)):
+    for mode in range(modes):
         try:
             # upright a round base has no inertia against a precession
             with np.errstate(all="ignore"):

@@ -27,6 +27,7 @@ from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import for_arrays, of_compounds
+from rockeom.numbers.mode_codes import code_of, rows_of
 from rockeom.structures.declared_modes import number_of
 from rockeom.structures.statics import Equilibrium, balanced
 
@@ -184,9 +185,7 @@ def _standing(
     if not down.any() or not free[n:].any():
         return y
     closed = np.flatnonzero(down)
-    sticky = np.array(
-        [any(row[i] == codes.STICK for row in module.POINT_STATES) for i in range(len(down))]
-    )
+    sticky = _may_stick(module)
     choices = [closed, *(closed[i : i + 1] for i in range(len(closed)))]
     for held in choices:
         rows = np.vstack([points.normal[held], *points.tangential[held[sticky[held]]]])
@@ -200,6 +199,14 @@ def _standing(
         if fits[: len(held)].all() and opens.all():
             return moved
     return y
+
+
+def _may_stick(module: Any) -> np.ndarray:
+    """(m,) whether each point sticks in some mode."""
+    m = len(module.POINTS)
+    if is_by_code(module):
+        return np.array([not module.SMOOTH >> i & 1 for i in range(m)])
+    return (np.reshape(module.POINT_STATES, (-1, m)) == codes.STICK).any(axis=0)
 
 
 def _lowered(module: SearchedModes, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
@@ -414,6 +421,8 @@ def mode_of(
             states.append(codes.STICK)
         else:
             states.append(codes.SLIP_RIGHT if slides[i] > 0.0 else codes.SLIP_LEFT)
+    if is_by_code(module):
+        return _code_of(module, points, closed, slides, p)
     points_as = _smoothed(module, tuple(states))
     if points_as not in module.POINT_STATES:
         described = ", ".join(
@@ -423,6 +432,24 @@ def mode_of(
             f"{module.NAME} has no mode in which {described}: correct the state"
         )
     return _with_elements(module, points_as, y, p)
+
+
+def _code_of(
+    module: Any, points: Points, closed: np.ndarray, slides: np.ndarray, p: np.ndarray
+) -> int:
+    """The number of the mode of a structure in space, by the states of its points."""
+    digits, friction = [], friction_of(module, p)
+    for i, name in enumerate(module.POINTS):
+        digit = codes.BEARS if closed[i] else codes.OPEN
+        if closed[i] and slides[i] != 0.0 and not module.SMOOTH >> i & 1:
+            if friction[i] >= codes.NEVER_SLIPS:
+                raise InputError("state").says(
+                    f"{module.NAME} has no mode in which {name} slips: correct the state"
+                )
+            x, y = points.tangential[i] @ points.y[len(module.STATES) // 2 :]
+            digit = codes.SLIPS + round(math.atan2(y, x) / (math.pi / 2)) % 4
+        digits.append(digit)
+    return code_of(digits)
 
 
 def _smoothed(module: SearchedModes, states: tuple[int, ...]) -> tuple[int, ...]:
@@ -698,7 +725,7 @@ def _landed(
         return {}
     before, after = (Points(module, states[landings, side], p) for side in (0, 1))
     met = (before.gap_rate < -_CLOSED * before.speed) & (after.gap_rate >= -_CLOSED * before.speed)
-    opened = np.array(module.POINT_STATES)[events[landings, 1]] == codes.OPEN
+    opened = rows_of(module.POINT_STATES, events[landings, 1]) == codes.OPEN
     # the impact puts what lands on the ground; others may turn back in flight, however close
     near = after.gap <= _LANDED * after.size.max(axis=1, keepdims=True)
     return dict(zip(landings.tolist(), met & opened & near, strict=True))

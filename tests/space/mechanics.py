@@ -14,6 +14,8 @@ from tests.space.bodies import spin, spin_rate
 
 CLOSE = 1e-7
 """Relative to the weight, its moment or the momentum: what rounding and event times leave."""
+STILL = 1e-7
+"""[m/s], and relative to the fastest foot: a foot that sticks moves by less."""
 
 
 class Body:
@@ -46,8 +48,8 @@ class Body:
         return self.velocity + np.cross(self.spin, self.arms[foot])
 
 
-def violations(run: rk.Response, smooth: bool, restitution: float) -> Iterator[str]:
-    """A line for each law that a motion violates."""
+def violations(run: rk.Response, friction: float | None, restitution: float = 0.0) -> Iterator[str]:
+    """A line for each law that a motion violates; friction : None where feet never slip."""
     structure, feet = run.structure, run.structure.module.POINTS
     weight = structure.parameters()["mass"] * structure.parameters()["gravity"]
     if (error := run.energy_balance().error) > CLOSE:
@@ -59,12 +61,12 @@ def violations(run: rk.Response, smooth: bool, restitution: float) -> Iterator[s
         least = run.extremes(f"{foot}_reaction").minimum
         if least < -CLOSE * weight:
             yield f"{foot} pulls by {-least:.1e} N"
-    yield from _unbalanced(run, weight, smooth)
+    yield from _unbalanced(run, weight, friction)
     for impact in run.impacts:
-        yield from _wrong_impact(run, impact, smooth, restitution)
+        yield from _wrong_impact(run, impact, friction, restitution)
 
 
-def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
+def _unbalanced(run: rk.Response, weight: float, friction: float | None) -> Iterator[str]:
     """Steps at whose start forces and accelerations are not those of Newton and Euler."""
     structure = run.structure
     rows = np.linspace(0, len(run.t) - 2, 40).astype(int)
@@ -80,7 +82,7 @@ def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
         for foot in body.arms:
             along = [forces[f"{foot}_friction_{axis}"] for axis in "xy"]
             total += body.wrench(foot) @ [*along, forces[f"{foot}_reaction"]]
-            if (smooth or foot not in mode) and np.any(along):
+            if (friction == 0 or foot not in mode) and np.any(along):
                 yield f"friction at {foot} at {t:.6g} s"
         acceleration = np.array([moves[axis] for axis in "xyz"]) + pushed
         acceleration[2] += body.gravity
@@ -90,6 +92,11 @@ def _unbalanced(run: rk.Response, weight: float, smooth: bool) -> Iterator[str]:
         size = weight * np.array([1.0] * 3 + [body.length] * 3)
         if (np.abs(lacking) > CLOSE * size).any():
             yield f"forces at {t:.6g} s in {mode} lack {lacking}"
+        if friction:
+            bearing = [foot for foot in body.arms if forces[f"{foot}_reaction"] > 0.0]
+            left = _left_by_friction(body, body, bearing, total, friction)
+            if left > CLOSE * weight:
+                yield f"friction at {t:.6g} s in {mode} lacks {left:.1e} N"
 
 
 def shaking_of(run: rk.Response, t: float) -> list[float]:
@@ -104,7 +111,9 @@ def motions_of(run: rk.Response) -> tuple[rk.GroundMotion, ...]:
     return run.motion, run.transverse or none, run.vertical or none
 
 
-def _wrong_impact(run: rk.Response, impact, smooth: bool, restitution: float) -> Iterator[str]:
+def _wrong_impact(
+    run: rk.Response, impact, friction: float | None, restitution: float
+) -> Iterator[str]:
     """Impulses of the feet that touch give the change of momentum, and gaps open as e has it."""
     before, after = (Body(run.structure, s) for s in (impact.before, impact.after))
     named = f"{impact.contact}+{impact.mode_before}+{impact.mode_after}"
@@ -112,12 +121,7 @@ def _wrong_impact(run: rk.Response, impact, smooth: bool, restitution: float) ->
     gained = after.momentum - before.momentum
     scale = np.array([1.0] * 3 + [1 / before.length] * 3)
     size = np.abs(before.momentum * scale).max() + 1e-300
-    columns = [before.wrench(foot)[:, 2:] for foot in touching]
-    if not smooth:
-        for foot in touching:
-            along = before.wrench(foot)[:, :2]
-            columns += [along, -along]
-    left = nnls(np.hstack(columns) * scale[:, None], gained * scale)[1] if columns else 1.0
+    left = _left_by_friction(before, after, touching, gained, friction)
     if left > 1e-6 * size:
         yield f"impulses at {impact.time:.6g} s lack {left / size:.1e} of the momentum"
     fastest = max(abs(before.velocity_of(foot)[2]) for foot in before.arms)
@@ -126,3 +130,31 @@ def _wrong_impact(run: rk.Response, impact, smooth: bool, restitution: float) ->
         arrives, leaves = before.velocity_of(foot)[2], after.velocity_of(foot)[2]
         if leaves < -restitution * min(arrives, 0.0) - 1e-9 * fastest - 1e-12:
             yield f"{foot} leaves at {leaves:.3g} m/s after {arrives:.3g} at {impact.time:.6g} s"
+
+
+def _left_by_friction(
+    before: Body, after: Body, feet: list[str], gained: np.ndarray, friction: float | None
+) -> float:
+    """What of a change of momentum, or of forces, presses of feet and their friction cannot give.
+
+    A foot that slips afterwards has all of its friction against its slip; one that sticks has any
+    in the cone, by 64 of its edges; where feet never slip, any.
+    """
+    columns, scale = [], np.array([1.0] * 3 + [1 / before.length] * 3)
+    fastest = max(np.linalg.norm(after.velocity_of(foot)) for foot in after.arms)
+    for foot in feet:
+        wrench, slip = before.wrench(foot), after.velocity_of(foot)[:2]
+        speed = np.linalg.norm(slip)
+        if not friction:
+            columns.append(wrench[:, 2:])
+            columns += [] if friction == 0 else [wrench[:, :2], -wrench[:, :2]]
+        elif speed > STILL * (1.0 + fastest):
+            columns.append(wrench @ np.array([[*(-friction * slip / speed), 1.0]]).T)
+        else:
+            turns = np.linspace(0, 2 * np.pi, 64, endpoint=False)
+            edge = friction / np.cos(np.pi / 64)
+            cone = np.vstack([edge * np.cos(turns), edge * np.sin(turns), np.ones(64)])
+            columns.append(wrench @ cone)
+    if not columns:
+        return float(np.abs(gained * scale).max())
+    return float(nnls(np.hstack(columns) * scale[:, None], gained * scale)[1])

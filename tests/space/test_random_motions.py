@@ -7,12 +7,16 @@ import rockeom as rk
 from tests.space.mechanics import violations
 
 
-def drawn(seed: int) -> tuple[rk.Response, bool, float]:
-    """A motion; whether feet are smooth, and the restitution."""
+def drawn(seed: int, rubs: bool = False) -> tuple[rk.Response, float | None, float]:
+    """A motion, the friction and the restitution of its feet.
+
+    rubs : whether there is friction that may be overcome; else feet are smooth or never slip.
+    """
     rng = np.random.default_rng(seed)
     smooth = bool(rng.random() < 0.5)
-    restitution = 0.5 if smooth and rng.random() < 0.3 else 0.0
+    restitution = 0.5 if smooth and rng.random() < 0.3 and not rubs else 0.0
     friction = 0.0 if smooth else None
+    friction = rng.uniform(0.05, 0.8) if rubs else friction
     height = rng.uniform(0.5, 2.0)
     laws = {"friction": friction, "restitution": restitution, "mass": rng.uniform(1.0, 1e3)}
     if rng.random() < 0.5:
@@ -33,18 +37,18 @@ def drawn(seed: int) -> tuple[rk.Response, bool, float]:
     if rng.random() < 0.7:
         start |= {"pitch": 0.3 * size * rng.normal(), "roll": 0.3 * size * rng.normal()}
         start |= {"yaw_dot": 0.2 * rng.normal(), "pitch_dot": 0.3 * size * rng.normal()}
-        start = start if smooth else {n: x for n, x in start.items() if "dot" not in n}
+        start = start if friction == 0 else {n: x for n, x in start.items() if "dot" not in n}
     peaks = 9.81 * size * np.array([1.5, 1.5, 1.0])
     motions = [rk.GroundMotion.from_array(a * rng.normal(size=150), dt=0.02) for a in peaks]
     run = rk.simulate(
         body, motions[0], transverse=motions[1], vertical=motions[2], initial=start,
         azimuth=rng.uniform(-3, 3),
     )  # fmt: skip
-    return run, smooth, restitution
+    return run, friction, restitution
 
 
 @pytest.mark.parametrize("seed", range(16))
 def test_a_random_body_moves_by_the_laws_of_mechanics(seed):
-    run, smooth, restitution = drawn(seed)
+    run, *laws = drawn(seed)
     assert run.outcome.value in ("completed", "overturned", "came to rest")
-    assert not list(violations(run, smooth, restitution))
+    assert not list(violations(run, *laws))

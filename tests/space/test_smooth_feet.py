@@ -194,10 +194,6 @@ def test_derivatives_pass_through_the_landings_of_smooth_corners():
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        (
-            {"law": Rigid(restitution=0, friction=0.3)},
-            "a point in space has none, friction=0, or",
-        ),
         ({"law": Rigid(friction=0, law="poisson")}, "a slip turns within an impact in space"),
         ({"places": {f"f{i}": (i, i * i, -1) for i in range(9)}}, "declare at most 8 in space"),
         ({"falls": {Tilt("tilt", sp.Integer(1)): sp.Integer(2)}}, "give an angle between 0 and pi"),

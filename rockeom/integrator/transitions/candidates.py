@@ -39,6 +39,8 @@ from rockeom.integrator.provided import (
     N_STATES,
     ROTATION,
     STILL,
+    aim_slips,
+    begin_slips,
     candidate_of,
     free_motion,
     guards,
@@ -53,7 +55,8 @@ from rockeom.integrator.provided import (
     points,
     rates,
     reverse_of,
-    shares_with,
+    slips_begin,
+    stops,
     subject_of,
 )
 from rockeom.integrator.tolerances import (
@@ -70,6 +73,7 @@ from rockeom.integrator.tolerances import (
     NO_GAP_IN_STEP,
     NO_GAP_OF_TERMS,
     NO_MOTION,
+    NO_SLIP,
     PUSH,
     SAME_VELOCITIES,
     SLIP_WITH_HOP,
@@ -153,7 +157,7 @@ def freedom_of(point, mode, contact):
 
 
 def fitting_states(
-    mode, left_out, extra, near, sliding, wanted, contact, sizes, tolerance, alike, fitting
+    mode, left_out, extra, near, sliding, wanted, contact, sizes, tolerance, alike, fitting, chosen
 ):  # fmt: skip
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
@@ -161,7 +165,8 @@ def fitting_states(
     more than `alike`, squared in the measure of the mass: the best, which has the largest margin,
     is AMBIGUOUS if it does, and IMPOSSIBLE if none fits. left_out : a mode that is none of them, or
     -1. extra : 0, or which candidates they are that follow only where none with a lower number
-    fits. fitting : on return its first `several` numbers are the modes that fit.
+    fits. fitting, chosen (ROWS,) : on return the `several` modes that fit, and the impulses, or
+    forces, of the best.
     """
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
@@ -190,6 +195,7 @@ def fitting_states(
             several += 1
         if margin > most:
             best, most = candidate, margin
+            chosen[:ROWS] = impulse
     return best, several
 
 
@@ -256,15 +262,14 @@ def collide(mode, near, slowest, contact, y):
         if DIRECTIONS * point == r:
             wanted[r] -= contact[LAWS + 2 * point] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    follows = IMPOSSIBLE
+    follows, impulse = IMPOSSIBLE, np.empty(ROWS)
     for extra in range(EXTRA_CANDIDATES + 1):
         if follows == IMPOSSIBLE:
             follows, _ = fitting_states(
-                mode, -1, extra, near, sliding, wanted, contact, sizes, FITS, alike, fitting
+                mode, -1, extra, near, sliding, wanted, contact, sizes, FITS, alike, fitting,
+                impulse,
             )  # fmt: skip
     if follows >= 0:
-        impulse = np.empty(ROWS)
-        impulses_of(follows, wanted, contact, impulse)
         change_by(impulse, contact, change)
         for i in range(n):
             y[n + i] += change[i]
@@ -387,7 +392,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     wanted, fitting = np.empty(ROWS), np.empty(MOST_FITTING, np.int64)
     shaking = shaking_at(ground, 0, 1)
     whole = without_forces(y, p, shaking, mode, contact, wanted, sizes)
-    follows = IMPOSSIBLE
+    follows, chosen = IMPOSSIBLE, np.empty(ROWS)
     for turn in range(2 * (EXTRA_CANDIDATES + 1)):
         # the state after many steps is off by more than an event's time
         extra = int(turn / 2)
@@ -396,7 +401,7 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
             continue
         alike = ALIKE * ALIKE * error * error * whole
         follows, several = fitting_states(
-            mode, -1, extra, near, sliding, wanted, contact, sizes, error, alike, fitting,
+            mode, -1, extra, near, sliding, wanted, contact, sizes, error, alike, fitting, chosen
         )  # fmt: skip
         decided = several <= 1 and not (ends and follows == mode)
         if ends and (follows == AMBIGUOUS or (FIRST_FITS and follows == mode)):
@@ -406,7 +411,8 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
             decided = follows != IMPOSSIBLE
             if not decided:
                 follows, several = fitting_states(
-                    mode, mode, extra, near, sliding, wanted, contact, sizes, error, alike, fitting
+                    mode, mode, extra, near, sliding, wanted, contact, sizes, error, alike,
+                    fitting, chosen,
                 )  # fmt: skip
                 decided = several <= 1
         if follows >= 0 and not decided:
@@ -434,6 +440,8 @@ def best_later(mode, ends, near, sliding, sizes, fitting, several, y, p, ground)
     follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
+        if slips_begin(candidate, sliding):
+            aim_slips(candidate, sliding, wanted, contact, impulse)
         impulses_of(candidate, wanted, contact, impulse)
         margin = margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, -np.inf)
         if candidate == mode and ends:
@@ -545,7 +553,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
         if state == IDLE_POINT and not still:
             still = at_rest_along(i, slip, mode, out, p, shaking, contact)
-        if kind == STICKING and shares_with(mode, i) == shares_with(mode, subject):
+        if kind == STICKING and stops(i, subject, mode, slip):
             still = True
         if still:
             hold_slip(contact, i, out, rows, wanted)
@@ -557,9 +565,18 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
+    start_slips(follows, sliding, out, p, shaking, contact)
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
+
+
+def start_slips(mode, sliding, y, p, shaking, contact):
+    """Give slips that begin in a mode their first velocity in y, where friction depends on it."""
+    if slips_begin(mode, sliding):
+        wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+        without_forces(y, p, shaking, mode, contact, wanted, sizes)
+        begin_slips(mode, sliding, wanted, contact, y)
 
 
 def at_rest_along(point, slip, mode, y, p, shaking, contact):
@@ -570,7 +587,7 @@ def at_rest_along(point, slip, mode, y, p, shaking, contact):
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     without_forces(y, p, shaking, mode, contact, wanted, sizes)
     size = math.sqrt(sizes[DIRECTIONS * point + 1] * radius_of(contact, point))
-    return abs(slip) <= NO_MOTION * size
+    return abs(slip) <= NO_SLIP * size
 
 
 @rolled

@@ -24,7 +24,6 @@ from rockeom.integrator.provided import (
     N_MODES,
     N_POINTS,
     element_state,
-    impulses_of,
     point_numbers,
     point_state,
 )
@@ -124,10 +123,9 @@ def by_moreau(mode, near, whole, along, contact, sizes, rate, change):
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
     follows, _ = fitting_states(
         mode, -1, 0, near, sliding, wanted, contact, sizes, FITS, SAME_VELOCITIES * whole,
-        fitting,
+        fitting, impulse,
     )  # fmt: skip
     if follows >= 0:
-        impulses_of(follows, wanted, contact, impulse)
         change_by(impulse, contact, change)
     return follows
 

@@ -20,6 +20,7 @@ from rockeom.integrator.provided import (
 N_MODES = N_CANDIDATES = MOST_FITTING = len(SIDES)
 EXTRA_CANDIDATES = 0
 FIRST_FITS = False  # whether of several candidates that move differently the first one follows
+BENT = False  # whether a guard bends so much in a step that its slope is not that of a polynomial
 
 
 @inlined

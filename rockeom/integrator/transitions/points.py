@@ -185,12 +185,18 @@ def contact_data(y, p, mode, contact):
 
     All but what `points` tells follows from the places alone.
     """
-    n = N_COORDINATES
     forces = np.empty(N_COORDINATES)
-    matrix, spread, coupling = contact[MATRIX:], contact[SPREAD:], contact[COUPLING:]
     points(y, p, contact)
     point_laws(p, contact[LAWS:])
-    free_motion(y, p, *STILL, mode, matrix, forces)
+    free_motion(y, p, *STILL, mode, contact[MATRIX:], forces)
+    couple(contact)
+
+
+@rolled
+def couple(contact):
+    """The effects of impulses in `contact`, from the rows of its points and its matrix M."""
+    n = N_COORDINATES
+    matrix, spread, coupling = contact[MATRIX:], contact[SPREAD:], contact[COUPLING:]
     for i in range(n):
         for r in range(N_POINTS):
             for axis in range(DIRECTIONS):

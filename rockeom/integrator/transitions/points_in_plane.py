@@ -239,6 +239,30 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
     return least
 
 
+@inlined
+def slips_begin(mode, sliding):
+    """Whether points slip in a mode whose directions are not known: their sides are."""
+    return False
+
+
+@inlined
+def aim_slips(mode, sliding, wanted, contact, motion):
+    """No direction is sought."""
+    return False
+
+
+@inlined
+def begin_slips(mode, sliding, wanted, contact, y):
+    """Slips begin by themselves."""
+    pass
+
+
+@inlined
+def stops(point, subject, mode, slip):
+    """Whether the slip of a point ends with that of another one."""
+    return shares_with(mode, point) == shares_with(mode, subject)
+
+
 def held_upright(mode, y, p):
     """Whether points are closed that keep the structure from turning."""
     if abs(y[ROTATION + N_COORDINATES]) > NO_TURN:

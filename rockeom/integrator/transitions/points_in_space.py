@@ -1,9 +1,11 @@
 """Points that touch in space: which modes may follow, and the impulses or forces of each.
 
-A point is smooth, or never slips. Some that touch may be idle: the others bear the load without
-them. One that would have to slip may be released, so that it bears without friction. The contract
-of points, as points_in_plane.py fulfils it.
+A point is smooth, never slips, or slips with Coulomb's friction. Some that touch may be idle: the
+others bear the load without them. One that never slips, and would have to, may be released, so that
+it bears without friction. The contract of points, as points_in_plane.py fulfils it.
 """
+
+import math
 
 import numpy as np
 
@@ -11,10 +13,19 @@ from rockeom.codes import BEARS, IDLES, OPEN, RELEASED
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     PLACE_VALUES,
+    add_friction,
+    digit_along,
     digit_of,
+    directions_of_slips,
     is_smooth_by,
+    least_friction,
     rows_of_mode,
+    rubs_by,
     share_load,
+    share_load_with_slips,
+    slips_by,
+    slips_in,
+    solve_by_rows,
 )
 from rockeom.integrator.provided import (
     ANGLES,
@@ -26,13 +37,44 @@ from rockeom.integrator.provided import (
     point_state,
     rates,
 )
-from rockeom.integrator.tolerances import NEARLY, NO_TURN
-from rockeom.integrator.transitions.points import COUPLING, N_COORDINATES, ROWS, exceeds
+from rockeom.integrator.tolerances import (
+    FIRST_SLIP,
+    LEAST_SIZE,
+    LEAST_YIELD,
+    NEARLY,
+    NO_TURN,
+    SAME_DIRECTION,
+    STOPPED,
+)
+from rockeom.integrator.transitions.points import (
+    CONTACT_SIZE,
+    COUPLING,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    POINT,
+    ROWS,
+    SPREAD,
+    along,
+    couple,
+    exceeds,
+    rate_of,
+    row_of_point,
+    through_mass,
+)
 
 __fused__ = False
 
-SETS_OF_POINTS = 2**N_POINTS
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
+MOST_ITERATIONS = 40  # for the directions of slips that are not known
+FIRST_TURNS = 3  # of them, before those after Newton
+OF_DIFFERENCES = 1e-5  # relative, for the slopes of these
+MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
+SWEPT = 1e-12  # relative change of impulses in a sweep: they have come to their end
+ABOUT_TO_SLIP = 1e-3  # relative, of the friction that points would need to stick
+FROM_REST = 1e-7  # relative, of accelerations: what is left of that of a slip that just begins
+JUST_SLIPS = 1e-5  # relative, of friction: its direction does not depend on so little of it
+MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
 
 
 def is_smooth(point):
@@ -40,45 +82,319 @@ def is_smooth(point):
     return is_smooth_by(SMOOTH, point)
 
 
+@inlined
+def rubs(point, contact):
+    """Whether a point may slip with friction."""
+    return rubs_by(SMOOTH, contact[LAWS:], point)
+
+
 @rolled
 def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
 
-    The number says whether points that would bear nothing are idle, which points touch, all of them
-    first, since the mode that keeps more points closed follows, and which of these are released.
-    extra : twice the number of these, less one where only points are that would pull if they stuck.
-    A point that slips is released already.
+    The number says how many of the points that are near are open, none of them first, since the
+    mode that keeps more points closed follows; whether points that would bear nothing are idle; and
+    which points bear, slip, or are open. In place of a slip one that never does is released: extra
+    is twice the number of these, less one where only points are that would pull if they stuck. One
+    that slips already is released already.
     """
-    left, share = int(number * 0.5), np.empty(ROWS)
-    candidate, freed, more, released = 0, 0, 0, int(left / SETS_OF_POINTS)
+    sets, share, motion = 2, np.empty(ROWS), np.empty(N_COORDINATES)
     for i in range(N_POINTS):
-        half, rest = int(left * 0.5), int(released * 0.5)
-        touches, frees = left - 2 * half == 0, released - 2 * rest == 1
-        slips = not is_smooth(i) and near[i] == 1 and sliding[i] != 0.0
-        if (touches and near[i] == 0) or (frees and (is_smooth(i) or slips or not touches)):
+        sets *= 3 if near[i] == 1 else 1
+    opens = int(number / sets)
+    left = int((number - sets * opens) * 0.5)
+    idle = number - sets * opens - 2 * left
+    candidate, freed, more, unknown = 0, 0, 0, False
+    for i in range(N_POINTS):
+        if near[i] == 0:
+            continue
+        third = int(left / 3)
+        choice, left = left - 3 * third, third
+        moves, friction = sliding[i] != 0.0, rubs(i, contact)
+        if choice == 2:
+            opens -= 1
+        elif choice == 1 and (is_smooth(i) or (moves and not friction)):
             return -1
-        if touches:
-            candidate += (RELEASED if slips else BEARS) * PLACE_VALUES[i]
-        if frees:
+        elif choice == 1 and not friction:
+            candidate += BEARS * PLACE_VALUES[i]
             freed, more = freed + (RELEASED - BEARS) * PLACE_VALUES[i], more + 1
-        left, released = half, rest
-    if extra != 2 * more and extra != 2 * more - 1:
+        elif choice == 1:
+            candidate, unknown = candidate + digit_of_slip(i, contact) * PLACE_VALUES[i], True
+        elif moves and friction:
+            return -1
+        else:
+            slips = moves and not is_smooth(i)
+            candidate += (RELEASED if slips else BEARS) * PLACE_VALUES[i]
+    if opens != 0 or (extra != 2 * more and extra != 2 * more - 1):
         return -1
     if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
         return -1
     candidate += freed
+    if unknown:
+        candidate = with_directions(candidate, sliding, wanted, contact, share, motion)
+        if candidate < 0:
+            return -1
     for _ in range(3 * N_POINTS):
         which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
         if which < 0:
             break
-        candidate += changed_digit(candidate, which)
-    if number - 2 * int(number * 0.5) == 1:
+        candidate += changed_digit(candidate, which, sliding, contact)
+    if idle == 1:
         which = wrongly_loaded(candidate, NEARLY, wanted, contact, share)
         if which < 0 or digit_of(candidate, which) == IDLES:
             return -1
-        candidate += changed_digit(candidate, which)
+        candidate += changed_digit(candidate, which, sliding, contact)
     impulses_of(candidate, wanted, contact, impulse)
     return candidate
+
+
+@inlined
+def digit_of_slip(point, contact):
+    """The digit of a point that slips as it does now."""
+    at = point * POINT
+    return digit_along(contact[at + 2], contact[at + 3])
+
+
+@rolled
+def with_directions(candidate, sliding, wanted, contact, share, motion):
+    """The mode with the directions of slips that begin, or that an impact leaves, or -1.
+
+    Friction opposes the slip that follows it, which is not known before. Such points are held as by
+    dampers along the ground, T = -c w with c = mu N/|w|, whose yields 1/c are found by iteration:
+    first by themselves, then after Newton. The directions go into the rates of slips in `contact`,
+    where those that are known stand. motion (n,) : with which the points slip, see `yielding`.
+    """
+    held, alone, yields = np.empty(ROWS), np.zeros(N_POINTS), np.zeros(N_POINTS)
+    stuck, free = candidate, candidate
+    for i in range(N_POINTS):
+        digit = digit_of(candidate, i)
+        if slips_by(digit) and sliding[i] == 0.0:
+            stuck += (BEARS - digit) * PLACE_VALUES[i]
+            free += (RELEASED - digit) * PLACE_VALUES[i]
+            alone[i] = contact[COUPLING + (DIRECTIONS * i + 1) * (ROWS + 1)]
+    shares_in(stuck, wanted, contact, held)
+    if not first_yields(stuck, alone, contact, held, yields):
+        after = np.empty(ROWS)
+        swept(stuck, sliding, wanted, contact, share, after)
+        for i in range(N_POINTS):
+            if alone[i] > 0.0:
+                u, v = after[DIRECTIONS * i + 1], after[DIRECTIONS * i + 2]
+                bound = bound_of(i, contact, share)
+                if not bound > 0.0:
+                    return -1
+                yields[i] = max(math.sqrt(u * u + v * v) / bound, LEAST_YIELD * alone[i])
+    softer, excess, worst = np.empty(CONTACT_SIZE), np.zeros(N_POINTS), np.inf
+    for turn in range(MOST_ITERATIONS):
+        yielding(free, alone, yields, held, contact, softer, share, motion)
+        worst = excess_of_dampers(alone, yields, contact, share, motion, excess)
+        if not worst > SAME_DIRECTION or not worst < np.inf:
+            break
+        if turn < FIRST_TURNS:
+            for i in range(N_POINTS):
+                yields[i] *= 1.0 + excess[i]
+        else:
+            after_newton(free, alone, yields, held, contact, softer, share, excess)
+        if are_least(alone, yields):
+            yielding(free, alone, yields, held, contact, softer, share, motion)
+            worst = excess_of_dampers(alone, yields, contact, share, motion, excess)
+            if worst <= JUST_SLIPS:
+                break
+            if none_exceeds(alone, excess):
+                return -1
+    if not worst <= JUST_SLIPS:
+        return -1
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            u, _ = rate_of(contact, DIRECTIONS * i + 1, motion, 0)
+            v, _ = rate_of(contact, DIRECTIONS * i + 2, motion, 0)
+            speed = math.sqrt(u * u + v * v)
+            if speed == 0.0:
+                return -1
+            contact[i * POINT + 2], contact[i * POINT + 3] = u / speed, v / speed
+            stuck += (digit_of_slip(i, contact) - BEARS) * PLACE_VALUES[i]
+    return stuck
+
+
+@rolled
+def first_yields(stuck, alone, contact, held, yields):
+    """Where the iteration of `with_directions` begins, (N_POINTS,); whether they are about to slip.
+
+    In the ratios of `least_friction`, and as large as that of one of these points alone would be.
+    alone (N_POINTS,) : how freely each of them moves along the ground; 0 of others.
+    """
+    c, most = np.zeros(N_POINTS), 0.0
+    part = least_friction(stuck, N_COORDINATES, N_POINTS, SMOOTH, contact, contact[LAWS:], held, c)
+    if part > 1.0 + ABOUT_TO_SLIP:
+        return False
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            if not (bound_of(i, contact, held) > 0.0 and c[i] > 0.0):
+                return False
+            most = max(most, 1.0 / (c[i] * alone[i]))
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            yields[i] = max(part - 1.0, LEAST_YIELD) / (c[i] * most)
+    return True
+
+
+@rolled
+def swept(candidate, sliding, wanted, contact, impulse, rates_after):
+    """Impulses, or forces, of points that may press, by sweeps over them; whether they end.
+
+    Those of a candidate that are not open may open, stick or slip, each as suits the others: a
+    sweep changes the normal one of each by what closes its gap, and its friction towards what stops
+    its slip, within its bound (Gauss and Seidel, with projections). So it tells what is likely, but
+    for rounding; a slip that goes on has its direction. impulse, rates_after (ROWS,) : of each row.
+    """
+    for r in range(ROWS):
+        impulse[r] = 0.0
+    for _ in range(MOST_SWEEPS):
+        change, largest = 0.0, LEAST_SIZE
+        for i in range(N_POINTS):
+            if digit_of(candidate, i) == OPEN:
+                continue
+            row = DIRECTIONS * i
+            own = contact[COUPLING + row * (ROWS + 1)]
+            before = impulse[row]
+            impulse[row] = max(before - exceeds(row, wanted, contact, impulse) / own, 0.0)
+            change = max(change, abs(impulse[row] - before))
+            largest = max(largest, impulse[row])
+            if not is_smooth(i):
+                change = max(change, rubbed(i, sliding, wanted, contact, impulse))
+        if change <= SWEPT * largest:
+            break
+    for r in range(ROWS):
+        rates_after[r] = exceeds(r, wanted, contact, impulse)
+
+
+def rubbed(point, sliding, wanted, contact, impulse):
+    """Change the friction of a point towards what stops its slip; by how much that was."""
+    row, at = DIRECTIONS * point, point * POINT
+    before_x, before_y = impulse[row + 1], impulse[row + 2]
+    bound = bound_of(point, contact, impulse)
+    x, y = -contact[at + 2], -contact[at + 3]
+    if sliding[point] == 0.0:
+        own = 0.0
+        for k in range(1, DIRECTIONS):
+            own += contact[COUPLING + (row + k) * (ROWS + 1)]
+        x = before_x - exceeds(row + 1, wanted, contact, impulse) / own
+        y = before_y - exceeds(row + 2, wanted, contact, impulse) / own
+    size = math.sqrt(x * x + y * y)
+    within = bound / size if size > bound or sliding[point] != 0.0 else 1.0
+    impulse[row + 1], impulse[row + 2] = within * x, within * y
+    return abs(within * x - before_x) + abs(within * y - before_y)
+
+
+@rolled
+def are_least(alone, yields):
+    """Whether all yields are so small that points are about to slip: the least are kept then."""
+    most = 0.0
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            most = max(most, yields[i] / alone[i])
+    if most >= LEAST_YIELD or most == 0.0:
+        return False
+    for i in range(N_POINTS):
+        yields[i] *= LEAST_YIELD / most
+    return True
+
+
+@rolled
+def none_exceeds(alone, excess):
+    """Whether friction holds all points that were to slip, but for rounding."""
+    most = -np.inf
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            most = max(most, excess[i])
+    return most < -JUST_SLIPS
+
+
+@rolled
+def excess_of_dampers(alone, yields, contact, share, motion, excess):
+    """Excess of dampers over friction, c |w|/(mu N) - 1, and the largest; inf of what pulls."""
+    worst = 0.0
+    excess[:N_POINTS] = 0.0
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            u, _ = rate_of(contact, DIRECTIONS * i + 1, motion, 0)
+            v, _ = rate_of(contact, DIRECTIONS * i + 2, motion, 0)
+            bound = bound_of(i, contact, share)
+            if not (bound > 0.0 and yields[i] > 0.0):
+                return np.inf
+            excess[i] = math.sqrt(u * u + v * v) / (yields[i] * bound) - 1.0
+            worst = max(worst, abs(excess[i]))
+    return worst
+
+
+@rolled
+def after_newton(free, alone, yields, held, contact, softer, share, excess):
+    """One step of Newton towards yields without an excess, in their logarithms.
+
+    The first unknown is of all of them at once, on which little depends where slips just begin.
+    """
+    b, motion = np.zeros(N_POINTS * (N_POINTS + 1)), np.empty(N_COORDINATES)
+    changed, size, trial = np.empty(N_POINTS), N_POINTS + 1, np.empty(N_POINTS)
+    first = -1
+    for j in range(N_POINTS):
+        b[j * size + j] = 1.0
+        b[j * size + N_POINTS] = -excess[j]
+        first = j if first < 0 and alone[j] > 0.0 else first
+    for j in range(N_POINTS):
+        if alone[j] > 0.0:
+            for i in range(N_POINTS):
+                both = i == j or j == first
+                trial[i] = yields[i] * (1.0 + OF_DIFFERENCES if both else 1.0)
+            yielding(free, alone, trial, held, contact, softer, share, motion)
+            excess_of_dampers(alone, trial, contact, share, motion, changed)
+            for i in range(N_POINTS):
+                if alone[i] > 0.0:
+                    b[i * size + j] = (changed[i] - excess[i]) / OF_DIFFERENCES
+    solve_by_rows(N_POINTS, b)
+    for j in range(N_POINTS):
+        own, of_all = b[j * size + N_POINTS], b[first * size + N_POINTS]
+        step = max(min(of_all, MOST_CHANGE), -MOST_CHANGE)
+        step += max(min(own, MOST_CHANGE), -MOST_CHANGE) if j != first else 0.0
+        yields[j] *= math.exp(step)
+
+
+@rolled
+def yielding(free, alone, yields, held, contact, softer, share, motion):
+    """Motion (n,) of points on dampers apart from that where all stick, and the shares then.
+
+    held, share (ROWS,) : with no slip, and with it, but for the forces of the dampers. free : the
+    mode in which dampers alone hold these points along the ground. Where those are stiff the motion
+    is small, and known as exactly as a large one: (M + J' c J) motion = J' (share - held).
+    """
+    n, matrix = N_COORDINATES, softer[MATRIX:]
+    softer[:] = contact
+    first, lacking = np.zeros(N_COORDINATES), np.empty(ROWS)
+    for i in range(N_POINTS):
+        for k in range(1, DIRECTIONS):
+            row = DIRECTIONS * i + k
+            start = row_of_point(row)
+            for j in range(n):
+                if alone[i] > 0.0:
+                    first[j] -= contact[start + j] * held[row]
+                    for m in range(n):
+                        lever = contact[start + j] * contact[start + m]
+                        matrix[j * n + m] += lever / yields[i]
+    couple(softer)
+    through_mass(matrix, first, 1)
+    for r in range(ROWS):
+        lacking[r] = -along(contact, r, first, 0, 1)
+    shares_in(free, lacking, softer, share)
+    for j in range(n):
+        motion[j] = first[j]
+        for r in range(ROWS):
+            motion[j] += softer[SPREAD + j * ROWS + r] * share[r]
+    for r in range(ROWS):
+        share[r] += held[r]
+
+
+@inlined
+def bound_of(point, contact, share):
+    """The largest friction of a point."""
+    return contact[LAWS + 2 * point + 1] * share[DIRECTIONS * point]
 
 
 def would_pull(sticks, candidate, wanted, contact, share):
@@ -109,7 +425,7 @@ def wrongly_loaded(candidate, tolerance, wanted, contact, share):
         wrong = 0.0
         if digit == IDLES:
             wrong = force
-        elif digit == BEARS and spare:
+        elif digit not in (OPEN, RELEASED) and spare:
             wrong = 2.0 * tolerance * largest - force
         if wrong > most:
             most, which = wrong, i
@@ -117,16 +433,20 @@ def wrongly_loaded(candidate, tolerance, wanted, contact, share):
 
 
 @inlined
-def changed_digit(mode, point):
+def changed_digit(mode, point, sliding, contact):
     """Gain of the number of a mode where a point that bears is idle, or the other way."""
-    change = IDLES - BEARS if digit_of(mode, point) == BEARS else BEARS - IDLES
-    return change * PLACE_VALUES[point]
+    digit, changed = digit_of(mode, point), IDLES
+    if digit == IDLES:
+        slips = sliding[point] != 0.0 and rubs(point, contact)
+        changed = digit_of_slip(point, contact) if slips else BEARS
+    return (changed - digit) * PLACE_VALUES[point]
 
 
 def impulses_of(candidate, wanted, contact, impulse):
     """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
 
-    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
+    wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed. Slips
+    have the directions of their rates in `contact`.
     """
     shares_in(candidate, wanted, contact, impulse)
     for i in range(N_POINTS):
@@ -140,19 +460,34 @@ def shares_in(candidate, wanted, contact, share):
 
     The normal one of a point that is idle is the one that it would have.
     """
-    a, found = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS)
-    row = np.empty(ROWS, np.int64)
-    held, every = rows_of_mode(candidate, N_POINTS, SMOOTH, row)
-    width = every + 1
+    directions = np.empty(2 * N_POINTS)
+    directions_of_slips(candidate, N_COORDINATES, N_POINTS, contact, directions)
+    a, found = np.empty(ROWS * (2 * ROWS + 1)), np.empty(ROWS)
+    row, slipping = np.empty(ROWS, np.int64), slips_in(candidate, N_POINTS)
+    normal, held, every = rows_of_mode(candidate, N_POINTS, SMOOTH, row)
+    again = normal + every - held if slipping else 0
+    width = every + 1 + again
     for r in range(held):
-        for s in range(every):
-            a[r * width + s] = contact[COUPLING + row[r] * ROWS + row[s]]
+        for s in range(every + again):
+            more = s - every
+            of = row[s if more < 0 else (more if more < normal else more - normal + held)]
+            point, place = int(of / DIRECTIONS), s if s < every else s + 1
+            value = contact[COUPLING + row[r] * ROWS + of]
+            if slipping and s < normal and slips_by(digit_of(candidate, point)):
+                rubs_by_x = directions[2 * point] * contact[COUPLING + row[r] * ROWS + of + 1]
+                rubs_by_y = directions[2 * point + 1] * contact[COUPLING + row[r] * ROWS + of + 2]
+                value -= contact[LAWS + 2 * point + 1] * (rubs_by_x + rubs_by_y)
+            a[r * width + place] = value
         a[r * width + every] = wanted[row[r]]
-    share_load(held, every - held, a, found)
+    if slipping:
+        share_load_with_slips(normal, held, every - held, a, found)
+    else:
+        share_load(held, every - held, a, found)
     for r in range(ROWS):
         share[r] = 0.0
     for r in range(every):
         share[row[r]] = found[r]
+    add_friction(candidate, N_POINTS, contact[LAWS:], directions, share)
 
 
 @rolled
@@ -161,7 +496,7 @@ def has_spare_point(candidate, contact):
     a, found = np.empty(N_POINTS * (N_POINTS + 1)), np.empty(N_POINTS)
     row, bearing = np.empty(N_POINTS, np.int64), 0
     for i in range(N_POINTS):
-        if digit_of(candidate, i) in (BEARS, RELEASED):
+        if digit_of(candidate, i) not in (OPEN, IDLES):
             row[bearing] = DIRECTIONS * i
             bearing += 1
     width = bearing + 1
@@ -175,11 +510,13 @@ def has_spare_point(candidate, contact):
 def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
-    They press, and open points leave; idle ones stay, and would pull. A margin is relative to
+    They press, and open points leave; idle ones stay, and would pull; those that stick use no more
+    than their friction, and those that begin to slip do so against it. A margin is relative to
     sizes, see `sizes_of`. Once it is below `least_of_all` no other one is computed.
     """
     least, share = np.inf, np.empty(ROWS)
     shares_in(candidate, wanted, contact, share)
+    bound, stuck = 0.0, -1
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
@@ -190,9 +527,60 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
         if digit != OPEN:
             presses = share[normal] / sizes[ROWS + i]
             least = min(least, -presses if digit == IDLES else presses)
+        if slips_by(digit) and sliding[i] == 0.0:
+            x, y = contact[i * POINT + 2], contact[i * POINT + 3]
+            u = exceeds(normal + 1, wanted, contact, impulse)
+            v = exceeds(normal + 2, wanted, contact, impulse)
+            size = max(sizes[normal + 1], sizes[normal + 2])
+            size *= math.sqrt(x * x + y * y) + LEAST_SIZE
+            ahead, aside = (u * x + v * y) / size, abs(u * y - v * x) / size
+            least = min(least, ahead + FROM_REST, FROM_REST - aside)
+        if digit == BEARS and rubs(i, contact):
+            bound, stuck = bound + max(bound_of(i, contact, share), 0.0), i
         if not least >= least_of_all:
             return least
+    if stuck >= 0:
+        dampers = np.empty(N_POINTS)
+        part = least_friction(
+            candidate, N_COORDINATES, N_POINTS, SMOOTH, contact, contact[LAWS:], share, dampers
+        )
+        least = min(least, (1.0 - part) * bound / sizes[ROWS + stuck])
     return least
+
+
+def slips_begin(mode, sliding):
+    """Whether points slip in a mode that do not slip yet."""
+    begins = False
+    for i in range(N_POINTS):
+        begins = begins or (slips_by(digit_of(mode, i)) and sliding[i] == 0.0)
+    return begins
+
+
+def aim_slips(mode, sliding, wanted, contact, motion):
+    """Put the directions of slips that begin in a mode into `contact`, see `with_directions`.
+
+    wanted (ROWS,) : the accelerations that points lack where nothing touches. motion (n,) : on
+    return that with which they slip. Returns whether directions are found.
+    """
+    share = np.empty(ROWS)
+    return with_directions(mode, sliding, wanted, contact, share, motion) >= 0
+
+
+def begin_slips(mode, sliding, wanted, contact, y):
+    """Let slips begin that have no velocity yet, which gives friction its direction."""
+    motion, largest = np.zeros(N_COORDINATES), 0.0
+    if not aim_slips(mode, sliding, wanted, contact, motion):
+        return
+    for i in range(N_COORDINATES):
+        largest = max(largest, abs(motion[i]))
+    for i in range(N_COORDINATES):
+        y[N_COORDINATES + i] += motion[i] * FIRST_SLIP / largest if largest > 0.0 else 0.0
+
+
+@inlined
+def stops(point, subject, mode, slip):
+    """Whether the slip of a point has come to its end, where one has turned or ended."""
+    return slip <= STOPPED
 
 
 def held_upright(mode, y, p):

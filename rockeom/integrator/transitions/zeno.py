@@ -43,6 +43,7 @@ from rockeom.integrator.transitions.candidates import (
     radius_of,
     select_by_forces,
     squared,
+    start_slips,
     without_forces,
 )
 from rockeom.integrator.transitions.points import (
@@ -515,7 +516,9 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
     points(out, p, contact)
     ground = np.empty(GROUND_SIZE)
     ground_now_and_later(shaking, shaking, SOON_AT_REST, ground)
-    return select_by_forces(here, False, near, sliding, out, p, ground, rtol, contact, sizes)
+    follows = select_by_forces(here, False, near, sliding, out, p, ground, rtol, contact, sizes)
+    start_slips(follows, sliding, out, p, shaking, contact)
+    return follows
 
 
 def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out):

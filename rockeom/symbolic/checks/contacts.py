@@ -148,7 +148,7 @@ def _are_in_plane(of: ContactDeclaration) -> None:
 
 
 def _are_in_space(of: ContactDeclaration) -> None:
-    """Points slip along x and y without friction, or never; and no element switches."""
+    """Points slip along x and y, by one law of friction each; and no element switches."""
     for c in of.contacts:
         what = f"contact {c.name!r}"
         if len(c.slips) != 2:
@@ -161,11 +161,6 @@ def _are_in_space(of: ContactDeclaration) -> None:
             raise ModelError(
                 f"{what} has the impact law {c.law.law!r}, by which a slip turns within an impact "
                 "in space: give 'newton'"
-            )
-        if c.law.friction is not None and not c.law.frictionless:
-            raise ModelError(
-                f"{what} has the friction {c.law.friction}: a point in space has none, friction=0, "
-                "or never slips, friction=None"
             )
     if of.switching:
         raise ModelError(

@@ -11,7 +11,7 @@ from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Rigid
 from rockeom.symbolic.model import Parameter, coordinate, parameter
 from rockeom.symbolic.parts.superstructures import GRAVITY
-from rockeom.symbolic.parts.supports import RESTITUTION
+from rockeom.symbolic.parts.supports import FRICTION, RESTITUTION
 from rockeom.symbolic.registry import family
 from rockeom.symbolic.structures.rigid_block import MASS
 
@@ -45,13 +45,13 @@ MOMENTS = ("xx", "yy", "zz")
 PRODUCTS = ("xy", "xz", "yz")
 FALLEN = sp.Rational(7, 5)
 """Tilt [rad] at which it has overturned: below a quarter turn, at which the angles are singular."""
-SLIPS = {"never": None, "freely": sp.S.Zero}
+SLIPS = {"never": None, "freely": sp.S.Zero, "rubbing": FRICTION.symbol}
 """Coefficients of friction of feet by the word for how they slip."""
 
 
 @family
 def prism(slips: str = "never") -> Any:
-    """A block on the four corners of its base, which never slip, or slip freely.
+    """A block on the four corners of its base, which never slip, slip freely, or with friction.
 
     slips : a word of `SLIPS`.
     """
@@ -67,7 +67,7 @@ def prism(slips: str = "never") -> Any:
 
 @family
 def legged_statue(feet: Sequence[str] = ("one", "two", "three"), slips: str = "never") -> Any:
-    """A rigid body of any shape on feet, which never slip, or slip freely.
+    """A rigid body of any shape on feet, which never slip, slip freely, or with friction.
 
     feet : their names. slips : a word of `SLIPS`.
     """
@@ -90,10 +90,17 @@ def _standing(
     """A body on feet whose places are given from the centroid, seen from above."""
     require_word("slips", slips, SLIPS, name)
     places = {foot: (*place, -CENTROID_HEIGHT.symbol) for foot, place in feet.items()}
+    friction = (FRICTION,) if slips == "rubbing" else ()
     return Model(
         name=name,
         title=title,
-        parameters=(MASS, *size, RESTITUTION, GRAVITY),
+        parameters=(
+            MASS,
+            *size,
+            *friction,
+            RESTITUTION,
+            GRAVITY,
+        ),
         coordinates=(*PLACE, *ANGLES),
         bodies=(space.body("body", MASS.symbol, inertia, FRAME),),
         gravity=GRAVITY.symbol,
