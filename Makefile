@@ -23,6 +23,7 @@ test: $(VENV)/.test ## run the tests
 soak: $(VENV)/.test ## check random motions and spoiled files, RUNS=20000 of them from seed FIRST=0 on (minutes, and compiling)
 	$(BIN)/python -m tests.soak --runs $(RUNS) --first $(FIRST)
 	$(BIN)/python -m tests.motion.networks.mutations --runs $(RUNS) --first $(FIRST)
+	$(BIN)/python -m tests.space.soak --runs $(RUNS) --first $(FIRST)
 
 oracle: $(VENV)/.test ## compare the machine code of every structure with Python and with numba (minutes)
 	$(BIN)/python -m tests.oracle
