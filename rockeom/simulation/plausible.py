@@ -9,7 +9,7 @@ from typing import cast
 import numpy as np
 
 from rockeom.codes import UPLIFT
-from rockeom.integrator.schema import SearchedModes
+from rockeom.integrator.schema import SearchedModes, in_space
 from rockeom.motion import GroundMotion
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.events import EventColumns, Impacts
@@ -112,9 +112,16 @@ def friction(structure: Structure, support: Support) -> tuple[str, ...]:
         if needed < math.inf
         else "No friction coefficient would have kept it from sliding"
     )
-    return (
-        f"{beyond}: hold the feet, or let them slide, by a sliding block or a sliding support.",
-    )
+    return (f"{beyond}: hold the feet{_let_slide(structure)}.",)
+
+
+def _let_slide(structure: Structure) -> str:
+    """How feet may slide instead; nothing of a round base, which rolls."""
+    module = structure.module
+    if not in_space(module):
+        return ", or let them slide, by a sliding block or a sliding support"
+    feet = any("_slip_" in name for name in module.KINEMATICS)
+    return ", or let them slide, by their coefficient of friction" if feet else ""
 
 
 def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:

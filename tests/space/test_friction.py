@@ -295,3 +295,9 @@ def test_a_random_body_that_rubs_moves_by_the_laws_of_mechanics(seed):
     assert run.outcome.value in ("completed", "overturned", "came to rest")
     assert any(event.kind.startswith("slip") for event in run.events)
     assert not list(violations(run, *laws))
+
+
+def test_feet_that_would_have_to_hold_too_much_may_slide_by_their_friction():
+    low = rk.Prism(width=1.0, depth=1.4, height=0.8, mass=2.0, centroid_height=0.2)
+    hints = rk.simulate(low, 4 * EL_CENTRO[0]).summary()
+    assert "or let them slide, by their coefficient of friction" in hints
