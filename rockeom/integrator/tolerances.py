@@ -216,6 +216,16 @@ FIRST_SLIP = 1e-8
 SAME_DIRECTION = 1e-13
 # Relative to how freely a point moves: it yields by so much at least where it is about to slip.
 LEAST_YIELD = 1e-9
+# Relative: by which yields differ for the slopes of Newton's method.
+OF_YIELDS = 1e-5
+# Relative change of impulses in a sweep over all points: they have come to their end.
+SWEPT = 1e-12
+# Relative, of the friction that points would need to stick: so close to it they are about to slip.
+ABOUT_TO_SLIP = 1e-3
+# Relative to accelerations: what rounding leaves of that of a slip that just begins.
+FROM_REST = 1e-7
+# Relative to friction: the direction of a slip that just begins does not depend on so little of it.
+JUST_SLIPS = 1e-5
 # [m/s] a slip in space that has come to its end, and has not only turned.
 STOPPED = 1e-8
 # Relative to a flight of a bounce: the same after a landing, in a time that is itself short.

@@ -38,13 +38,18 @@ from rockeom.integrator.provided import (
     rates,
 )
 from rockeom.integrator.tolerances import (
+    ABOUT_TO_SLIP,
     FIRST_SLIP,
+    FROM_REST,
+    JUST_SLIPS,
     LEAST_SIZE,
     LEAST_YIELD,
     NEARLY,
     NO_TURN,
+    OF_YIELDS,
     SAME_DIRECTION,
     STOPPED,
+    SWEPT,
 )
 from rockeom.integrator.transitions.points import (
     CONTACT_SIZE,
@@ -68,12 +73,7 @@ __fused__ = False
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
-OF_DIFFERENCES = 1e-5  # relative, for the slopes of these
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
-SWEPT = 1e-12  # relative change of impulses in a sweep: they have come to their end
-ABOUT_TO_SLIP = 1e-3  # relative, of the friction that points would need to stick
-FROM_REST = 1e-7  # relative, of accelerations: what is left of that of a slip that just begins
-JUST_SLIPS = 1e-5  # relative, of friction: its direction does not depend on so little of it
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
 
 
@@ -343,12 +343,12 @@ def after_newton(free, alone, yields, held, contact, softer, share, excess):
         if alone[j] > 0.0:
             for i in range(N_POINTS):
                 both = i == j or j == first
-                trial[i] = yields[i] * (1.0 + OF_DIFFERENCES if both else 1.0)
+                trial[i] = yields[i] * (1.0 + OF_YIELDS if both else 1.0)
             yielding(free, alone, trial, held, contact, softer, share, motion)
             excess_of_dampers(alone, trial, contact, share, motion, changed)
             for i in range(N_POINTS):
                 if alone[i] > 0.0:
-                    b[i * size + j] = (changed[i] - excess[i]) / OF_DIFFERENCES
+                    b[i * size + j] = (changed[i] - excess[i]) / OF_YIELDS
     solve_by_rows(N_POINTS, b)
     for j in range(N_POINTS):
         own, of_all = b[j * size + N_POINTS], b[first * size + N_POINTS]
