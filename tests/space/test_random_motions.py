@@ -42,7 +42,7 @@ def drawn(seed: int, rubs: bool = False) -> tuple[rk.Response, float | None, flo
     motions = [rk.GroundMotion.from_array(a * rng.normal(size=150), dt=0.02) for a in peaks]
     run = rk.simulate(
         body, motions[0], transverse=motions[1], vertical=motions[2], initial=start,
-        azimuth=rng.uniform(-3, 3),
+        azimuth=rng.uniform(-3, 3), options=rk.SolverOptions(max_steps=300_000),
     )  # fmt: skip
     return run, friction, restitution
 
