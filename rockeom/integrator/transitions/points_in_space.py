@@ -239,12 +239,13 @@ def first_yields(stuck, alone, contact, held, yields):
 
 @rolled
 def swept(candidate, sliding, wanted, contact, impulse, rates_after):
-    """Impulses, or forces, of points that may press, by sweeps over them; whether they end.
+    """Impulses, or forces, of points that may press, by sweeps over them, and what follows.
 
     Those of a candidate that are not open may open, stick or slip, each as suits the others: a
     sweep changes the normal one of each by what closes its gap, and its friction towards what stops
     its slip, within its bound (Gauss and Seidel, with projections). So it tells what is likely, but
-    for rounding; a slip that goes on has its direction. impulse, rates_after (ROWS,) : of each row.
+    for rounding; a slip that goes on has its direction. impulse (ROWS,), and rates_after (ROWS,),
+    by which gaps and slips then change, or their rates.
     """
     for r in range(ROWS):
         impulse[r] = 0.0
