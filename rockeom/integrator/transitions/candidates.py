@@ -60,6 +60,7 @@ from rockeom.integrator.provided import (
     subject_of,
 )
 from rockeom.integrator.tolerances import (
+    CLEAR_FIT,
     CLOSEST,
     FITS,
     FORCE_OF_LARGEST,
@@ -196,6 +197,8 @@ def fitting_states(
         if margin > most:
             best, most = candidate, margin
             chosen[:ROWS] = impulse
+        if FIRST_FITS and margin > CLEAR_FIT:
+            break
     return best, several
 
 
