@@ -11,7 +11,7 @@ from rockeom.codegen.text import Text
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.reactions import total_reaction
 
-_SOLVER = ("digit_of", "guards_in_code", "motion_in_code")
+_SOLVER = ("digit_of", "guards_in_code", "motion_in_code", "motion_without_slips", "slips_in")
 _TABLES = (
     "MODES", "POINT_STATES", "KINDS", "SUBJECTS", "SHARED", "GUARDS", "ELEMENT_STATES", "SIDES",
     "TARGETS", "REVERSE", "PARTS",
@@ -22,38 +22,67 @@ WAYS = ("horizontal", "transverse", "vertical")
 def numeric(text: Text, of: ContactDeclaration) -> tuple[dict[str, Columns], list[str]]:
     """Add all functions; returns the table of names of forces, and the tables of modes."""
     functions_of_points(text, of)
+    _solver(text, of)
     _motion(text, of)
     _guards(text, of)
     columns = _reactions(text, of)
     return {"REACTIONS": columns}, _tables(of)
 
 
-def _solved(text: Text, of: ContactDeclaration) -> list[str]:
-    """Lines that solve for the accelerations, and for what points bear, in a state y."""
+def _arrays(text: Text, of: ContactDeclaration) -> list[str]:
+    """Lines that make room for what `solve_mode` finds."""
     n, m = text.n, len(of.contacts)
     return [
-        f"    matrix, forces = np.empty({n * n}), np.empty({n})",
-        f"    told, share = np.empty({m * (7 + 3 * n)}), np.empty({3 * m})",
-        f"    accelerations, laws = np.empty({n}), np.empty({2 * m})",
+        f"    accelerations, share = np.empty({n}), np.empty({3 * m})",
+        f"    told = np.empty({m * (9 + 3 * n)})",
+    ]
+
+
+def _free(text: Text) -> list[str]:
+    """Lines that tell of the motion without contact, and of the points, in a state y."""
+    return [
+        f"    matrix, forces = np.empty({text.n**2}), np.empty({text.n})",
         f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
         "    points(y, p, told)",
-        "    point_laws(p, laws)",
-        "    motion_in_code(",
-        f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, laws, accelerations, share",
-        "    )",
     ]
+
+
+def _solved(text: Text) -> str:
+    return f"    solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)"
+
+
+def _solver(text: Text, of: ContactDeclaration) -> None:
+    n, m = text.n, len(of.contacts)
+    text.function(
+        f"solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)",
+        "Rows and laws of points in a state into told, and the motion and forces of a mode.",
+        [
+            *_free(text),
+            f"    point_laws(p, told[{m * (7 + 3 * n)}:])",
+            "    motion_in_code(",
+            f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share",
+            "    )",
+        ],
+    )
 
 
 def _motion(text: Text, of: ContactDeclaration) -> None:
     """Rates of all states on arrays, and accelerations of plain numbers."""
-    n = text.n
+    n, m = text.n, len(of.contacts)
     internal = {f"dy[{text.index(z.symbol)}]": e for z, e in of.internal.items()}
     text.function(
         f"rates(mode, y, p, {text.shaking}, dy)",
         f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
         "into dy (N,).",
         [
-            *_solved(text, of),
+            *_arrays(text, of),
+            f"    if slips_in(mode, {m}):",
+            f"    {_solved(text)}",
+            "    else:",
+            *(f"    {line}" for line in _free(text)),
+            "        motion_without_slips(",
+            f"            mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations",
+            "        )",
             f"    for i in range({n}):",
             f"        dy[i], dy[{n} + i] = y[{n} + i], accelerations[i]",
             *text.evaluate("rates", internal, "    "),
@@ -98,8 +127,9 @@ def _guards(text: Text, of: ContactDeclaration) -> None:
         f"guards(mode, y, p, {text.shaking}, g)",
         "Guards of a mode into g (N_GUARDS,): all positive in it; the first to fall ends it.",
         [
-            *_solved(text, of),
-            f"    guards_in_code(mode, {n}, {m}, SMOOTH, told, laws, share, g)",
+            *_arrays(text, of),
+            _solved(text),
+            f"    guards_in_code(mode, {n}, {m}, SMOOTH, told, share, g)",
             *text.evaluate("guards", bounds, "    ", hoist=True),
         ],
     )
@@ -119,7 +149,8 @@ def _reactions(text: Text, of: ContactDeclaration) -> Columns:
         f"reactions(mode, y, p, {text.shaking}, out)",
         "Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.",
         [
-            *_solved(text, of),
+            *_arrays(text, of),
+            _solved(text),
             *(line for line in read if line.split()[0] in used),
             *lines,
             f"    for i in range({m}):",

@@ -22,12 +22,13 @@ from rockeom.codes import (
     OPEN,
     SLIPS,
 )
-from rockeom.compiler.decorators import inlined, rolled
+from rockeom.compiler.decorators import everywhere, inlined, rolled
 
 __fused__ = False
 
 MOST_COORDINATES = 24
 MOST_ROWS = 3 * MOST_POINTS_IN_SPACE
+MOST_UNKNOWNS = MOST_COORDINATES * (MOST_COORDINATES + 1)
 STATES_OF_POINT = len(DIGITS_OF_STATES)
 POWERS_OF_TWO = tuple(2**i for i in range(MOST_POINTS_IN_SPACE))
 PLACE_VALUES = tuple(STATES_OF_POINT**i for i in range(MOST_POINTS_IN_SPACE))
@@ -36,8 +37,8 @@ PLACE_VALUES = tuple(STATES_OF_POINT**i for i in range(MOST_POINTS_IN_SPACE))
 FIRST_BIAS = 4
 FIRST_LEVER = 7
 
-MASSLESS_IN_SPACE = 1e-13  # of an entry of M: a pivot below it is none, see points.py
-REDUNDANT = 1e-12  # of the largest pivot: a row that others give, but for rounding
+ENOUGH = 0.1  # of a diagonal entry, that is left: a pivot as good as any
+REDUNDANT = 1e-12  # of a diagonal entry, that is left: its row follows from others
 NONE_OF_TERMS = 1e-14  # of the terms of a sum: nothing but rounding errors
 WEDGE = 2.414213562373095  # tangent of the angle to its axis at which a slip has turned: 67.5 deg
 MOST_PART = 1e100  # of its friction that a guard counts
@@ -77,6 +78,12 @@ def slips_in(mode, m):
 
 
 @inlined
+def laws_in(told, n, m):
+    """Restitution and friction of each point (2 m,), which stand behind what `points` tells."""
+    return told[m * (FIRST_LEVER + 3 * n) :]
+
+
+@inlined
 def axis_of(digit):
     """The axis (x, y) that is nearest to the direction of a slip."""
     turns = digit - SLIPS
@@ -92,6 +99,7 @@ def digit_along(x, y):
     return SLIPS + 1 if y >= 0.0 else SLIPS + 3
 
 
+@everywhere
 def directions_of_slips(mode, n, m, told, along):
     """Unit vectors (2 m,) of the slips of a mode, by the rates that `points` tells.
 
@@ -109,303 +117,252 @@ def directions_of_slips(mode, n, m, told, along):
             along[2 * i + 1] = v / size if size != 0.0 else y
 
 
-def rows_of_mode(mode, m, smooth, row):
-    """(normal, held, all): how many rows a mode holds, and with those of idle points, into row.
-
-    row (3 m,) : row 3 i is that of the gap of point i, those of its slips follow. Gaps of points
-    that bear come first, then slips of those that stick, and last gaps of idle points.
-    """
-    held = 0
+@everywhere
+def rows_in(mode, m, smooth, rows):
+    """Which rows a mode holds: 1 in rows (3 m,), 2 of the gap of an idle point, or else 0."""
     for i in range(m):
-        digit = digit_of(mode, i)
-        if digit != OPEN and digit != IDLES:
-            row[held] = 3 * i
-            held += 1
-    normal = held
-    for i in range(m):
-        if digit_of(mode, i) == BEARS and not is_smooth_by(smooth, i):
-            row[held] = 3 * i + 1
-            row[held + 1] = 3 * i + 2
-            held += 2
-    every = held
-    for i in range(m):
-        if digit_of(mode, i) == IDLES:
-            row[every] = 3 * i
-            every += 1
-    return normal, held, every
-
-
-@rolled
-def solve_through_mass(n, matrix, b, width, a, inverse, massless):
-    """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
-
-    matrix (n, n) : M, which is kept. a (n, n), inverse (n,) : scratch. A pivot below `massless` of
-    its entry of M is none: coordinates without inertia do not move.
-    """
-    for i in range(n * n):
-        a[i] = matrix[i]
-    for i in range(n):
-        pivot = a[i * n + i]
-        inverse[i] = 1.0 / pivot if pivot > massless * matrix[i * n + i] else 0.0
-        for j in range(i + 1, n):
-            factor = a[i * n + j] * inverse[i]
-            for m in range(j, n):
-                a[j * n + m] -= factor * a[i * n + m]
-            for m in range(width):
-                b[j * width + m] -= factor * b[i * width + m]
-    for back in range(n):
-        i = n - 1 - back
-        for m in range(width):
-            value = b[i * width + m]
-            for j in range(i + 1, n):
-                value -= a[i * n + j] * b[j * width + m]
-            b[i * width + m] = value * inverse[i]
+        digit, at = digit_of(mode, i), 3 * i
+        rows[at] = 0 if digit == OPEN else (2 if digit == IDLES else 1)
+        rows[at + 1] = rows[at + 2] = 1 if digit == BEARS and not is_smooth_by(smooth, i) else 0
 
 
 # -- forces of points that bear -------------------------------------------------------------------
 
 
-@rolled
+@everywhere
+def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
+    """Accelerations x (n,) in a mode, and the forces at each point into share (3 m,).
+
+    The accelerations that the rows of a mode allow, J x + bias = 0, are x_0 + N s, by elimination
+    in G = J'J with pivots on its diagonal. In what is left of the equations of motion,
+
+        M (x_0 + N s) - f = J' lambda
+
+    the forces are lambda = J z, with an unknown for each pivot. So points share a load, where there
+    are more of them than it needs, as equal springs under a body do, without torsion: normal forces
+    are linear in the place of a point. Forces along the ground of points that stick are shared
+    alike; since all lie in one plane, the sum and the moment of these do not depend on the others.
+    A point that slips has its friction with its normal force.
+
+    matrix (n, n), forces (n,), bias (3 m,) : M, f and bias; for impulses, 0 as f, and the negative
+    change of velocities as bias. told : of `points`, then the `laws`. share : of an idle point what
+    it would bear. Returns how many rows are independent.
+    """
+    rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
+    g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
+    along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
+    directions_of_slips(mode, n, m, told, along)
+    rows_in(mode, m, smooth, rows)
+    squares_of_rows(n, m, rows, told, bias, g)
+    for i in range(n):
+        for j in range(n):
+            b[i * width + j] = -g[i * width + j]
+    rub(mode, n, m, laws, along, told, b)
+    rank = reduced_rows(n, width, g, pivots)
+    unbalanced(n, matrix, forces, g, pivots, b)
+    solve_by_rows(n, b)
+    allowed(n, g, pivots, b, x)
+    for point in range(m):
+        for k in range(3):
+            lever, total = point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + k * n, 0.0
+            if rows[3 * point + k] > 0:
+                for i in range(n):
+                    if pivots[i] == 1:
+                        total += told[lever + i] * b[i * width + n]
+            share[3 * point + k] = total
+    add_friction(mode, m, laws, along, share)
+    return rank
+
+
+@inlined
+def biases_of_rows(n, m, told, bias):
+    """Biases of all rows into bias (3 m,)."""
+    for i in range(m):
+        for k in range(3):
+            bias[3 * i + k] = told[i * (FIRST_LEVER + 3 * n) + FIRST_BIAS + k]
+
+
+@everywhere
+def squares_of_rows(n, m, rows, told, bias, g):
+    """G = J'J of the rows that are held, and -J' bias behind it, into g (n, n + 1)."""
+    width = n + 1
+    for i in range(n * width):
+        g[i] = 0.0
+    for point in range(m):
+        gap, sticks = point * (FIRST_LEVER + 3 * n) + FIRST_LEVER, 1.0 * rows[3 * point + 1]
+        if rows[3 * point] == 1:
+            for i in range(n):
+                u = told[gap + i]
+                v, w = sticks * told[gap + n + i], sticks * told[gap + 2 * n + i]
+                for j in range(n):
+                    x, y, z = told[gap + j], told[gap + n + j], told[gap + 2 * n + j]
+                    g[i * width + j] += u * x + v * y + w * z
+                x, y, z = bias[3 * point], bias[3 * point + 1], bias[3 * point + 2]
+                g[i * width + n] -= u * x + v * y + w * z
+
+
+@inlined
+def rub(mode, n, m, laws, along, told, b):
+    """Add the columns of friction, of the points that slip, to b (n, n + 1)."""
+    for point in range(m):
+        if slips_by(digit_of(mode, point)):
+            lever, friction = lever_of(3 * point, n), laws[2 * point + 1]
+            for i in range(n):
+                slip = along[2 * point] * told[lever + n + i]
+                slip += along[2 * point + 1] * told[lever + 2 * n + i]
+                for j in range(n):
+                    b[i * (n + 1) + j] += friction * slip * told[lever + j]
+
+
+@everywhere
+def unbalanced(n, matrix, forces, g, pivots, b):
+    """Columns M N of free coordinates, and f - M x_0 behind all, into b (n, n + 1)."""
+    width = n + 1
+    for i in range(n):
+        total = forces[i]
+        for j in range(n):
+            if pivots[j] == 1:
+                total -= matrix[i * n + j] * g[j * width + n]
+        b[i * width + n] = total
+    for k in range(n):
+        if pivots[k] == 0:
+            for i in range(n):
+                total = matrix[i * n + k]
+                for j in range(n):
+                    if pivots[j] == 1:
+                        total -= matrix[i * n + j] * g[j * width + k]
+                b[i * width + k] = total
+
+
+@everywhere
+def allowed(n, g, pivots, b, x):
+    """The accelerations x_0 + N s, of which s stands behind b (n, n + 1)."""
+    width = n + 1
+    for i in range(n):
+        total, largest = b[i * width + n], 0.0
+        if pivots[i] == 1:
+            total, largest = g[i * width + n], abs(g[i * width + n])
+            for j in range(n):
+                if pivots[j] == 0:
+                    term = g[i * width + j] * b[j * width + n]
+                    total -= term
+                    largest += abs(term)
+        x[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
+
+
+@everywhere
+def motion_without_slips(mode, n, m, smooth, matrix, forces, told, x):
+    """Accelerations x (n,) alone, as `hold` has them, in a mode in which nothing slips.
+
+    N' (M N s - f + M x_0) = 0 has no forces.
+    """
+    rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
+    g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
+    bias, left = np.empty(MOST_ROWS), np.empty(MOST_UNKNOWNS)
+    free = np.empty(MOST_COORDINATES, np.int64)
+    biases_of_rows(n, m, told, bias)
+    rows_in(mode, m, smooth, rows)
+    squares_of_rows(n, m, rows, told, bias, g)
+    order = n - reduced_rows(n, width, g, pivots)
+    unbalanced(n, matrix, forces, g, pivots, b)
+    last = 0
+    for i in range(n):
+        if pivots[i] == 0:
+            free[last] = i
+            last += 1
+    for r in range(order):
+        i = free[r]
+        for s in range(order + 1):
+            j = free[s] if s < order else n
+            total = b[i * width + j]
+            for k in range(n):
+                if pivots[k] == 1:
+                    total -= g[k * width + i] * b[k * width + j]
+            left[r * (order + 1) + s] = total
+    solve_by_rows(order, left)
+    for r in range(order):
+        b[free[r] * width + n] = left[r * (order + 1) + order]
+    allowed(n, g, pivots, b, x)
+
+
+@everywhere
 def reduced_rows(k, width, a, pivots):
     """How many of k rows of a symmetric matrix are independent: those whose pivots (k,) are 1.
 
-    a (k, width) row by row : by Gauss and Jordan with pivots on the diagonal. The columns of the
-    others, in the rows of the independent ones, are then F, by which their rows follow.
+    a (k, width) row by row : by Gauss and Jordan with pivots on the diagonal, the next of which is
+    the first with enough left of it, or that with most. The columns of the others, in the rows of
+    the independent ones, are then F, by which their rows follow.
     """
-    rank, largest = 0, 0.0
+    own, rank, row = np.empty(MOST_COORDINATES), 0, np.empty(MOST_COORDINATES + 1)
     for i in range(k):
         pivots[i] = 0
-        largest = max(largest, a[i * width + i])
+        own[i] = a[i * width + i]
     for _ in range(k):
-        best = -1
+        best, most = -1, REDUNDANT
         for i in range(k):
-            if pivots[i] == 0 and (best < 0 or a[i * width + i] > a[best * width + best]):
-                best = i
-        if best < 0 or not a[best * width + best] > REDUNDANT * largest:
+            if pivots[i] == 0 and a[i * width + i] > most * own[i]:
+                best, most = i, a[i * width + i] / own[i]
+                if most > ENOUGH:
+                    break
+        if best < 0:
             break
         pivots[best] = 1
         rank += 1
         inverse = 1.0 / a[best * width + best]
         for j in range(width):
-            a[best * width + j] *= inverse
+            row[j] = a[best * width + j] * inverse
+            a[best * width + j] = row[j]
         for i in range(k):
             factor = a[i * width + best]
-            if i != best:
+            if i != best and factor != 0.0:
                 for j in range(width):
-                    a[i * width + j] -= factor * a[best * width + j]
+                    a[i * width + j] -= factor * row[j]
     return rank
 
 
-@inlined
-def weight_of(a, width, pivots, k, i, j):
-    """By how much the independent row i enters row j, of k rows and others."""
-    own = 1.0 if i == j else 0.0
-    return own if j < k and pivots[j] == 1 else a[i * width + j]
-
-
-@rolled
-def share_load(k, others, a, share):
-    """Forces in k rows that are held, and those that `others` would have, into share.
-
-    More than three points of a rigid body leave open how they share the load. They do so as equal
-    springs under the body, without torsion: the normal forces are linear in the place of a point.
-    Forces along the ground of points that stick are shared alike; since all lie in one plane, the
-    sum and the moment of these do not depend on the others. Such forces are a combination of the
-    rows of J, each of which is one of as many as are independent.
-
-    a (k, k + others + 1) row by row, changed : J M^-1 J' of the rows, the columns of the others,
-    and the accelerations that forces are to give. share (k + others,). Returns how many rows are
-    independent.
-    """
-    width = k + others + 1
-    pivots = np.empty(MOST_ROWS, np.int64)
-    rank = reduced_rows(k, width, a, pivots)
-    if rank < k:
-        spread_load(k, width, pivots, a)
-    for j in range(k + others):
-        share[j] = 0.0
-        for i in range(k):
-            if pivots[i] == 1:
-                weight = weight_of(a, width, pivots, k, i, j)
-                share[j] += weight * a[i * width + width - 1]
-    return rank
-
-
-@rolled
-def share_load_with_slips(normal, k, others, a, share):
-    """`share_load` where some of the `normal` first rows are of points that slip.
-
-    a : behind the columns of all rows and the right-hand side, once more the columns of the rows of
-    gaps, first of those that bear, as they are without friction: a (k, k + others + 1 + normal +
-    others). The normal forces are linear in the place of a point, too.
-    """
-    width, last = k + others + 1 + normal + others, k + others
-    across, spans = normal + others, k - normal
-    g, h = np.empty(MOST_ROWS * MOST_ROWS), np.empty(MOST_ROWS * MOST_ROWS)
-    pivots, stuck = np.empty(MOST_ROWS, np.int64), np.empty(MOST_ROWS, np.int64)
-    for i in range(normal):
-        for j in range(across):
-            g[i * across + j] = a[i * width + last + 1 + j]
-    for i in range(spans):
-        for j in range(spans):
-            h[i * spans + j] = a[(normal + i) * width + normal + j]
-    reduced_rows(normal, across, g, pivots)
-    reduced_rows(spans, spans, h, stuck)
-    row, order = np.empty(MOST_ROWS, np.int64), 0
-    for i in range(k):
-        if (pivots[i] if i < normal else stuck[i - normal]) == 1:
-            row[order] = i
-            order += 1
-    size = order + 1
-    b = np.empty(MOST_ROWS * (MOST_ROWS + 1))
-    for r in range(order):
-        for s in range(order):
-            total = 0.0
-            if row[s] >= normal:
-                total = a[row[r] * width + row[s]]
-            else:
-                for i in range(normal):
-                    weight = weight_of(g, across, pivots, normal, row[s], i)
-                    total += weight * a[row[r] * width + i]
-            b[r * size + s] = total
-        b[r * size + order] = a[row[r] * width + last]
-    solve_by_rows(order, b)
-    for j in range(k + others):
-        share[j] = 0.0
-    for r in range(order):
-        force = b[r * size + order]
-        if row[r] >= normal:
-            share[row[r]] = force
-        else:
-            for j in range(across):
-                weight = weight_of(g, across, pivots, normal, row[r], j)
-                share[j if j < normal else k + j - normal] += weight * force
-
-
-@rolled
+@everywhere
 def solve_by_rows(order, b):
-    """Solve b (order, order + 1) in place by Gauss and Jordan; the solution in its last column."""
+    """Solve b (order, order + 1) in place by Gauss; the solution in its last column."""
     size = order + 1
     for n in range(order):
         best = n
         for i in range(n + 1, order):
             if abs(b[i * size + n]) > abs(b[best * size + n]):
                 best = i
-        for j in range(size):
-            b[n * size + j], b[best * size + j] = b[best * size + j], b[n * size + j]
+        if best != n:
+            for j in range(size):
+                b[n * size + j], b[best * size + j] = b[best * size + j], b[n * size + j]
         inverse = 1.0 / b[n * size + n] if b[n * size + n] != 0.0 else 0.0
-        for j in range(size):
-            b[n * size + j] *= inverse
-        for i in range(order):
-            factor = b[i * size + n]
-            if i != n:
-                for j in range(size):
+        b[n * size + n] = inverse
+        for i in range(n + 1, order):
+            factor = b[i * size + n] * inverse
+            if factor != 0.0:
+                for j in range(n + 1, size):
                     b[i * size + j] -= factor * b[n * size + j]
-
-
-@rolled
-def spread_load(k, width, pivots, a):
-    """From the forces of the independent rows alone to theirs where all share the load.
-
-    With F, by which all other rows are combinations of theirs: (1 + F F') N = N of those alone. The
-    forces stand in the last column of a.
-    """
-    left, row = np.empty(MOST_ROWS * (MOST_ROWS + 1)), np.empty(MOST_ROWS, np.int64)
-    rank = 0
-    for i in range(k):
-        if pivots[i] == 1:
-            row[rank] = i
-            rank += 1
-    size = rank + 1
-    for i in range(rank):
-        for j in range(rank):
-            total = 1.0 if i == j else 0.0
-            for m in range(k):
-                if pivots[m] == 0:
-                    total += a[row[i] * width + m] * a[row[j] * width + m]
-            left[i * size + j] = total
-        left[i * size + rank] = a[row[i] * width + width - 1]
-    for i in range(rank):  # symmetric and positive
-        inverse = 1.0 / left[i * size + i]
-        for j in range(rank):
-            factor = left[j * size + i] * inverse
-            if j != i:
-                for m in range(i, size):
-                    left[j * size + m] -= factor * left[i * size + m]
-    for i in range(rank):
-        a[row[i] * width + width - 1] = left[i * size + rank] / left[i * size + i]
+    for back in range(order):
+        n = order - 1 - back
+        total = b[n * size + order]
+        for j in range(n + 1, order):
+            total -= b[n * size + j] * b[j * size + order]
+        b[n * size + order] = total * b[n * size + n]
 
 
 # -- a mode ---------------------------------------------------------------------------------------
 
 
-@rolled
-def motion_in_code(mode, n, m, smooth, matrix, forces, told, laws, accelerations, share):
+@everywhere
+def motion_in_code(mode, n, m, smooth, matrix, forces, told, accelerations, share):
     """Accelerations (n,) in a mode, and the forces at each point: normal, along x and y, (3 m,).
 
-    matrix (n, n), forces (n,) : of `free_motion`. told : of `points`. laws (2 m,) : restitution and
-    friction of each. share : zero of a point that is open; of an idle one what it would bear,
-    negative as long as it is idle.
+    matrix (n, n), forces (n,) : of `free_motion`. told : of `points`, then the `laws`. share : zero
+    of a point that is open; of an idle one what it would bear, negative as long as it is idle.
     """
-    row, along = np.empty(MOST_ROWS, np.int64), np.empty(2 * MOST_POINTS_IN_SPACE)
-    normal, held, every = rows_of_mode(mode, m, smooth, row)
-    slipping = slips_in(mode, m)
-    if slipping:
-        directions_of_slips(mode, n, m, told, along)
-    for r in range(3 * m):
-        share[r] = 0.0
-    again = normal + every - held if slipping else 0  # columns of gaps once more, without friction
-    b = np.empty(MOST_COORDINATES * (MOST_ROWS + 1 + MOST_POINTS_IN_SPACE))
-    scratch, inverse = np.empty(MOST_COORDINATES * MOST_COORDINATES), np.empty(MOST_COORDINATES)
-    columns = 1 + held + again
-    for i in range(n):
-        b[i * columns] = forces[i]
-    for r in range(held + again):
-        of = row[r] if r < held else row[r - held if r - held < normal else r - normal]
-        lever, point = lever_of(of, n), int(of / 3)
-        ties = slipping and r < normal and slips_by(digit_of(mode, point))
-        for i in range(n):
-            value = told[lever + i]
-            if ties:
-                rubs = along[2 * point] * told[lever + n + i]
-                rubs += along[2 * point + 1] * told[lever + 2 * n + i]
-                value -= laws[2 * point + 1] * rubs
-            b[i * columns + 1 + r] = value
-    solve_through_mass(n, matrix, b, columns, scratch, inverse, MASSLESS_IN_SPACE)
-    if held > 0:
-        a, found = np.empty(MOST_ROWS * (2 * MOST_ROWS + 1)), np.empty(MOST_ROWS)
-        width = every + 1 + again
-        for r in range(held):
-            for s in range(width):
-                # of M^-1 J' with friction; by symmetry of idle points; then the free accelerations
-                lever, column = lever_of(row[r], n), s + 1
-                if held <= s < every:
-                    lever, column = lever_of(row[s], n), r + 1
-                elif s == every:
-                    column = 0
-                elif s > every:
-                    column = held + s - every
-                total = 0.0
-                for i in range(n):
-                    total += told[lever + i] * b[i * columns + column]
-                a[r * width + s] = total
-            a[r * width + every] = -a[r * width + every] - told[bias_of(row[r], n)]
-        if slipping:
-            share_load_with_slips(normal, held, every - held, a, found)
-        else:
-            share_load(held, every - held, a, found)
-        for r in range(every):
-            share[row[r]] = found[r]
-    for i in range(n):
-        total, largest = b[i * columns], abs(b[i * columns])
-        for r in range(held):
-            term = share[row[r]] * b[i * columns + 1 + r]
-            total += term
-            largest += abs(term)
-        accelerations[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
-    add_friction(mode, m, laws, along, share)
+    bias = np.empty(MOST_ROWS)
+    biases_of_rows(n, m, told, bias)
+    hold(mode, n, m, smooth, matrix, forces, told, bias, accelerations, share)
 
 
+@everywhere
 def add_friction(mode, m, laws, along, share):
     """The friction of points that slip into share (3 m,), by what they bear; along (2 m,)."""
     for i in range(m):
@@ -422,18 +379,11 @@ def lever_of(row, n):
     return point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + (row - 3 * point) * n
 
 
-@inlined
-def bias_of(row, n):
-    """Where the bias of a row stands in what `points` tells."""
-    point = int(row / 3)
-    return point * (FIRST_LEVER + 3 * n) + FIRST_BIAS + row - 3 * point
-
-
-def guards_in_code(mode, n, m, smooth, told, laws, share, g):
+def guards_in_code(mode, n, m, smooth, told, share, g):
     """Guards of the points of a mode into g: m gaps, or what points bear, or would not; then 2 m of
     slips and of sticking, where a point has friction that is not endless.
     """
-    pressing = 0.0
+    pressing, laws = 0.0, laws_in(told, n, m)
     for i in range(m):
         digit = digit_of(mode, i)
         g[i] = share[3 * i]
@@ -456,7 +406,7 @@ def guards_in_code(mode, n, m, smooth, told, laws, share, g):
             g[2 * m + i] = WEDGE * ahead - aside - LEAST_SLIP
         elif digit == BEARS and rubs_by(smooth, laws, i) and first:
             dampers = np.empty(MOST_POINTS_IN_SPACE)
-            part = least_friction(mode, n, m, smooth, told, laws, share, dampers)
+            part = least_friction(mode, n, m, smooth, told, share, dampers)
             square = min(part, MOST_PART) ** 2
             g[m + i] = pressing * (1.0 - square) / (1.0 + square)  # finite where a load vanishes
             first = False
@@ -476,7 +426,7 @@ def any_rubs(m, smooth, laws):
 
 
 @rolled
-def least_friction(mode, n, m, smooth, told, laws, share, c):
+def least_friction(mode, n, m, smooth, told, share, c):
     """The least part of their friction that points which stick must use, in some share of it.
 
     Rigid bodies leave open how they share forces along the ground. The least of the largest parts
@@ -485,6 +435,7 @@ def least_friction(mode, n, m, smooth, told, laws, share, c):
     Such c (m,) are found from the forces in `share`.
     """
     load, bound = np.zeros(MOST_COORDINATES), np.zeros(MOST_POINTS_IN_SPACE)
+    laws = laws_in(told, n, m)
     acts, count, first, second, unable = 0.0, 0, -1, -1, 0
     for i in range(m):
         c[i] = 0.0

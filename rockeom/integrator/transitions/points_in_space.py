@@ -13,18 +13,13 @@ from rockeom.codes import BEARS, IDLES, OPEN, RELEASED
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     PLACE_VALUES,
-    add_friction,
     digit_along,
     digit_of,
-    directions_of_slips,
+    hold,
     is_smooth_by,
     least_friction,
-    rows_of_mode,
     rubs_by,
-    share_load,
-    share_load_with_slips,
     slips_by,
-    slips_in,
     solve_by_rows,
 )
 from rockeom.integrator.provided import (
@@ -59,17 +54,16 @@ from rockeom.integrator.transitions.points import (
     N_COORDINATES,
     POINT,
     ROWS,
-    SPREAD,
-    along,
-    couple,
     exceeds,
     rate_of,
     row_of_point,
-    through_mass,
 )
 
 __fused__ = False
 
+CHOICES = [np.base_repr(i, 3) for i in range(3**N_POINTS)]  # of a state for each point that is near
+OPENS_IN = np.array([choices.count("2") for choices in CHOICES])
+CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip, or are released
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
@@ -98,13 +92,50 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     is twice the number of these, less one where only points are that would pull if they stuck. One
     that slips already is released already.
     """
-    sets, share, motion = 2, np.empty(ROWS), np.empty(N_COORDINATES)
+    sets = 1
     for i in range(N_POINTS):
         sets *= 3 if near[i] == 1 else 1
-    opens = int(number / sets)
-    left = int((number - sets * opens) * 0.5)
-    idle = number - sets * opens - 2 * left
-    candidate, freed, more, unknown = 0, 0, 0, False
+    opens = int(number * 0.5 / sets)
+    left = int(number * 0.5) - sets * opens
+    if opens > N_POINTS or OPENS_IN[left] != opens or extra > 2 * CHANGES_IN[left]:
+        return -1
+    share, motion, idle = np.empty(ROWS), np.empty(N_COORDINATES), number - 2 * int(number * 0.5)
+    candidate, freed, more, unknown = chosen_states(left, near, sliding, contact)
+    if candidate < 0 or (extra != 2 * more and extra != 2 * more - 1):
+        return -1
+    if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
+        return -1
+    candidate += freed
+    if idle == 1 and not some_nearly_idle(candidate, impulse):
+        return -1  # `impulse` is of the number before, with the same choices
+    if unknown:
+        candidate = with_directions(candidate, sliding, wanted, contact, share, motion)
+        if candidate < 0:
+            return -1
+    shares_in(candidate, wanted, contact, share)
+    for _ in range(3 * N_POINTS):
+        which = wrongly_loaded(candidate, 0.0, contact, share)
+        if which < 0:
+            break
+        candidate += changed_digit(candidate, which, sliding, contact)
+        shares_in(candidate, wanted, contact, share)
+    if idle == 1:
+        which = wrongly_loaded(candidate, NEARLY, contact, share)
+        if which < 0 or digit_of(candidate, which) == IDLES:
+            return -1
+        candidate += changed_digit(candidate, which, sliding, contact)
+        shares_in(candidate, wanted, contact, share)
+    but_of_idle(candidate, share, impulse)
+    return candidate
+
+
+def chosen_states(choices, near, sliding, contact):
+    """(candidate, freed, more, unknown): the mode of a state for each point that is near, or -1.
+
+    freed : by how much its number grows where the points are released that would slip and never
+    do, and more : how many these are. unknown : some slips have no direction yet.
+    """
+    candidate, freed, more, unknown, left = 0, 0, 0, False, choices
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
@@ -112,40 +143,31 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
         choice, left = left - 3 * third, third
         moves, friction = sliding[i] != 0.0, rubs(i, contact)
         if choice == 2:
-            opens -= 1
-        elif choice == 1 and (is_smooth(i) or (moves and not friction)):
-            return -1
+            continue
+        if choice == 1 and (is_smooth(i) or (moves and not friction)):
+            return -1, 0, 0, False
         elif choice == 1 and not friction:
             candidate += BEARS * PLACE_VALUES[i]
             freed, more = freed + (RELEASED - BEARS) * PLACE_VALUES[i], more + 1
         elif choice == 1:
             candidate, unknown = candidate + digit_of_slip(i, contact) * PLACE_VALUES[i], True
         elif moves and friction:
-            return -1
+            return -1, 0, 0, False
         else:
             slips = moves and not is_smooth(i)
             candidate += (RELEASED if slips else BEARS) * PLACE_VALUES[i]
-    if opens != 0 or (extra != 2 * more and extra != 2 * more - 1):
-        return -1
-    if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
-        return -1
-    candidate += freed
-    if unknown:
-        candidate = with_directions(candidate, sliding, wanted, contact, share, motion)
-        if candidate < 0:
-            return -1
-    for _ in range(3 * N_POINTS):
-        which = wrongly_loaded(candidate, 0.0, wanted, contact, share)
-        if which < 0:
-            break
-        candidate += changed_digit(candidate, which, sliding, contact)
-    if idle == 1:
-        which = wrongly_loaded(candidate, NEARLY, wanted, contact, share)
-        if which < 0 or digit_of(candidate, which) == IDLES:
-            return -1
-        candidate += changed_digit(candidate, which, sliding, contact)
-    impulses_of(candidate, wanted, contact, impulse)
-    return candidate
+    return candidate, freed, more, unknown
+
+
+@inlined
+def some_nearly_idle(candidate, impulse):
+    """Whether a point that is to bear has next to no normal impulse."""
+    largest, least = 0.0, np.inf
+    for i in range(N_POINTS):
+        largest = max(largest, abs(impulse[DIRECTIONS * i]))
+        if digit_of(candidate, i) != OPEN:
+            least = min(least, impulse[DIRECTIONS * i])
+    return not least > NEARLY * largest
 
 
 @inlined
@@ -223,7 +245,7 @@ def first_yields(stuck, alone, contact, held, yields):
     alone (N_POINTS,) : how freely each of them moves along the ground; 0 of others.
     """
     c, most = np.zeros(N_POINTS), 0.0
-    part = least_friction(stuck, N_COORDINATES, N_POINTS, SMOOTH, contact, contact[LAWS:], held, c)
+    part = least_friction(stuck, N_COORDINATES, N_POINTS, SMOOTH, contact, held, c)
     if part > 1.0 + ABOUT_TO_SLIP:
         return False
     for i in range(N_POINTS):
@@ -368,26 +390,18 @@ def yielding(free, alone, yields, held, contact, softer, share, motion):
     """
     n, matrix = N_COORDINATES, softer[MATRIX:]
     softer[:] = contact
-    first, lacking = np.zeros(N_COORDINATES), np.empty(ROWS)
+    unbalanced, nothing = np.zeros(N_COORDINATES), np.zeros(ROWS)
     for i in range(N_POINTS):
         for k in range(1, DIRECTIONS):
             row = DIRECTIONS * i + k
             start = row_of_point(row)
             for j in range(n):
                 if alone[i] > 0.0:
-                    first[j] -= contact[start + j] * held[row]
+                    unbalanced[j] -= contact[start + j] * held[row]
                     for m in range(n):
                         lever = contact[start + j] * contact[start + m]
                         matrix[j * n + m] += lever / yields[i]
-    couple(softer)
-    through_mass(matrix, first, 1)
-    for r in range(ROWS):
-        lacking[r] = -along(contact, r, first, 0, 1)
-    shares_in(free, lacking, softer, share)
-    for j in range(n):
-        motion[j] = first[j]
-        for r in range(ROWS):
-            motion[j] += softer[SPREAD + j * ROWS + r] * share[r]
+    forces_in(free, unbalanced, nothing, softer, motion, share)
     for r in range(ROWS):
         share[r] += held[r]
 
@@ -410,27 +424,27 @@ def would_pull(sticks, candidate, wanted, contact, share):
     return pulls
 
 
-def wrongly_loaded(candidate, tolerance, wanted, contact, share):
+def wrongly_loaded(candidate, tolerance, contact, share):
     """A point that would pull and may be idle, or that is idle and would bear; or -1.
 
     The one of which that is most so, a force below `tolerance` of the largest being none. share
     (ROWS,) : of `shares_in`.
     """
-    shares_in(candidate, wanted, contact, share)
-    spare, largest = has_spare_point(candidate, contact), 0.0
+    largest, idle, loaded = 0.0, -1, -1
     for i in range(N_POINTS):
         largest = max(largest, abs(share[DIRECTIONS * i]))
-    most, which = NEARLY * largest, -1
+    most = most_of_loaded = NEARLY * largest
     for i in range(N_POINTS):
         digit, force = digit_of(candidate, i), share[DIRECTIONS * i]
-        wrong = 0.0
-        if digit == IDLES:
-            wrong = force
-        elif digit not in (OPEN, RELEASED) and spare:
-            wrong = 2.0 * tolerance * largest - force
-        if wrong > most:
-            most, which = wrong, i
-    return which
+        if digit == IDLES and force > most:
+            most, idle = force, i
+        elif digit not in (OPEN, IDLES, RELEASED):
+            pull = 2.0 * tolerance * largest - force
+            if pull > most_of_loaded:
+                most_of_loaded, loaded = pull, i
+    if loaded >= 0 and most_of_loaded > most and has_spare_point(candidate, contact):
+        return loaded
+    return idle
 
 
 @inlined
@@ -449,63 +463,48 @@ def impulses_of(candidate, wanted, contact, impulse):
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed. Slips
     have the directions of their rates in `contact`.
     """
-    shares_in(candidate, wanted, contact, impulse)
-    for i in range(N_POINTS):
-        if digit_of(candidate, i) == IDLES:
-            impulse[DIRECTIONS * i] = 0.0
+    share = np.empty(ROWS)
+    shares_in(candidate, wanted, contact, share)
+    but_of_idle(candidate, share, impulse)
 
 
-@rolled
+def but_of_idle(candidate, share, impulse):
+    """The impulses that act: what idle points would have is none."""
+    for r in range(ROWS):
+        idle = digit_of(candidate, int(r / DIRECTIONS)) == IDLES
+        impulse[r] = 0.0 if idle else share[r]
+
+
 def shares_in(candidate, wanted, contact, share):
-    """Impulses, or forces, in each row that is held, into share (ROWS,).
+    """Impulses, or forces, in each row that is held, into share (ROWS,); how many are independent.
 
     The normal one of a point that is idle is the one that it would have.
     """
-    directions = np.empty(2 * N_POINTS)
-    directions_of_slips(candidate, N_COORDINATES, N_POINTS, contact, directions)
-    a, found = np.empty(ROWS * (2 * ROWS + 1)), np.empty(ROWS)
-    row, slipping = np.empty(ROWS, np.int64), slips_in(candidate, N_POINTS)
-    normal, held, every = rows_of_mode(candidate, N_POINTS, SMOOTH, row)
-    again = normal + every - held if slipping else 0
-    width = every + 1 + again
-    for r in range(held):
-        for s in range(every + again):
-            more = s - every
-            of = row[s if more < 0 else (more if more < normal else more - normal + held)]
-            point, place = int(of / DIRECTIONS), s if s < every else s + 1
-            value = contact[COUPLING + row[r] * ROWS + of]
-            if slipping and s < normal and slips_by(digit_of(candidate, point)):
-                rubs_by_x = directions[2 * point] * contact[COUPLING + row[r] * ROWS + of + 1]
-                rubs_by_y = directions[2 * point + 1] * contact[COUPLING + row[r] * ROWS + of + 2]
-                value -= contact[LAWS + 2 * point + 1] * (rubs_by_x + rubs_by_y)
-            a[r * width + place] = value
-        a[r * width + every] = wanted[row[r]]
-    if slipping:
-        share_load_with_slips(normal, held, every - held, a, found)
-    else:
-        share_load(held, every - held, a, found)
-    for r in range(ROWS):
-        share[r] = 0.0
-    for r in range(every):
-        share[row[r]] = found[r]
-    add_friction(candidate, N_POINTS, contact[LAWS:], directions, share)
+    nothing, change = np.zeros(N_COORDINATES), np.empty(N_COORDINATES)
+    return forces_in(candidate, nothing, wanted, contact, change, share)
 
 
 @rolled
+def forces_in(candidate, forces, wanted, contact, change, share):
+    """`shares_in` where forces (n,) act, too, and the change of the velocities (n,)."""
+    bias = np.empty(ROWS)
+    for r in range(ROWS):
+        bias[r] = -wanted[r]
+    return hold(
+        candidate, N_COORDINATES, N_POINTS, SMOOTH, contact[MATRIX:], forces, contact, bias, change,
+        share,
+    )  # fmt: skip
+
+
 def has_spare_point(candidate, contact):
     """Whether a point may cease to bear, and the others keep its gap closed."""
-    a, found = np.empty(N_POINTS * (N_POINTS + 1)), np.empty(N_POINTS)
-    row, bearing = np.empty(N_POINTS, np.int64), 0
+    smooth, bearing, nothing, share = candidate, 0, np.zeros(ROWS), np.empty(ROWS)
     for i in range(N_POINTS):
-        if digit_of(candidate, i) not in (OPEN, IDLES):
-            row[bearing] = DIRECTIONS * i
+        digit = digit_of(candidate, i)
+        if digit not in (OPEN, IDLES):
+            smooth += (RELEASED - digit) * PLACE_VALUES[i]
             bearing += 1
-    width = bearing + 1
-    for r in range(bearing):
-        for s in range(bearing):
-            a[r * width + s] = contact[COUPLING + row[r] * ROWS + row[s]]
-        a[r * width + bearing] = 0.0
-    return share_load(bearing, 0, a, found) < bearing
+    return shares_in(smooth, nothing, contact, share) < bearing
 
 
 def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
@@ -542,9 +541,7 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
             return least
     if stuck >= 0:
         dampers = np.empty(N_POINTS)
-        part = least_friction(
-            candidate, N_COORDINATES, N_POINTS, SMOOTH, contact, contact[LAWS:], share, dampers
-        )
+        part = least_friction(candidate, N_COORDINATES, N_POINTS, SMOOTH, contact, share, dampers)
         least = min(least, (1.0 - part) * bound / sizes[ROWS + stuck])
     return least
 
