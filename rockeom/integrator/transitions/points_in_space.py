@@ -507,6 +507,15 @@ def has_spare_point(candidate, contact):
     return shares_in(smooth, nothing, contact, share) < bearing
 
 
+@inlined
+def has_idle_point(candidate):
+    """Whether a point is idle, which has no impulse but a share that it would have."""
+    idle = False
+    for i in range(N_POINTS):
+        idle = idle or digit_of(candidate, i) == IDLES
+    return idle
+
+
 def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
@@ -514,9 +523,10 @@ def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_o
     than their friction, and those that begin to slip do so against it. A margin is relative to
     sizes, see `sizes_of`. Once it is below `least_of_all` no other one is computed.
     """
-    least, share = np.inf, np.empty(ROWS)
-    shares_in(candidate, wanted, contact, share)
-    bound, stuck = 0.0, -1
+    least, share, bound, stuck = np.inf, np.empty(ROWS), 0.0, -1
+    share[:] = impulse
+    if has_idle_point(candidate):
+        shares_in(candidate, wanted, contact, share)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
