@@ -38,12 +38,12 @@ def _arrays(text: Text, of: ContactDeclaration) -> list[str]:
     ]
 
 
-def _free(text: Text) -> list[str]:
+def _free(text: Text, points: str) -> list[str]:
     """Lines that tell of the motion without contact, and of the points, in a state y."""
     return [
         f"    matrix, forces = np.empty({text.n**2}), np.empty({text.n})",
         f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
-        "    points(y, p, told)",
+        f"    {points}(y, p, told)",
     ]
 
 
@@ -57,7 +57,7 @@ def _solver(text: Text, of: ContactDeclaration) -> None:
         f"solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)",
         "Rows and laws of points in a state into told, and the motion and forces of a mode.",
         [
-            *_free(text),
+            *_free(text, "points"),
             f"    point_laws(p, told[{m * (7 + 3 * n)}:])",
             "    motion_in_code(",
             f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share",
@@ -79,7 +79,7 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
             f"    if slips_in(mode, {m}):",
             f"    {_solved(text)}",
             "    else:",
-            *(f"    {line}" for line in _free(text)),
+            *(f"    {line}" for line in _free(text, "rows_of_points")),
             "        motion_without_slips(",
             f"            mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations",
             "        )",

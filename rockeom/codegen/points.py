@@ -70,6 +70,13 @@ def _points(text: Text, of: ContactDeclaration) -> None:
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
     )
+    if of.by_code:
+        rows = {k: e for i, (k, e) in enumerate(targets.items()) if i % size > 3}
+        text.function(
+            "rows_of_points(y, p, out)",
+            "Biases and rows alone, where `points` puts them.",
+            _every(text, "rows_of_points", rows),
+        )
 
 
 def _point_laws(text: Text, of: ContactDeclaration) -> None:

@@ -194,11 +194,14 @@ def squares_of_rows(n, m, rows, told, bias, g):
             for i in range(n):
                 u = told[gap + i]
                 v, w = sticks * told[gap + n + i], sticks * told[gap + 2 * n + i]
-                for j in range(n):
+                for j in range(i, n):
                     x, y, z = told[gap + j], told[gap + n + j], told[gap + 2 * n + j]
                     g[i * width + j] += u * x + v * y + w * z
                 x, y, z = bias[3 * point], bias[3 * point + 1], bias[3 * point + 2]
                 g[i * width + n] -= u * x + v * y + w * z
+    for i in range(1, n):
+        for j in range(i):
+            g[i * width + j] = g[j * width + i]
 
 
 @inlined
