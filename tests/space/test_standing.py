@@ -92,12 +92,15 @@ def test_a_prism_that_leans_in_a_plane_of_symmetry_rocks_as_the_block_of_that_pl
     case.agrees(quarter_period=impact.time, energy_ratio=kinetic[1] / kinetic[0])
 
 
+@pytest.mark.parametrize("offset", [0.0, 0.04])
 @pytest.mark.parametrize(("way", "half"), [("x", "width"), ("y", "depth")])
-def test_shaken_along_an_axis_it_is_the_rigid_block(way, half):
-    """Each event of a planar block under El Centro and its vertical component, from rest."""
+def test_shaken_along_an_axis_it_is_the_block_of_a_plane(way, half, offset):
+    """Each event of `RigidBlock` or `OffsetBlock` under El Centro and its vertical component."""
     sizes = {"width": 0.5, "depth": 0.7}
-    body = rk.Prism(**sizes, height=3.0, mass=1.0)
+    body = rk.Prism(**sizes, height=3.0, mass=1.0, **{f"offset_{way}": offset})
     planar = rk.RigidBlock.from_dimensions(width=sizes[half], height=3.0)
+    if offset:
+        planar = rk.OffsetBlock(half_width=sizes[half] / 2, half_height=1.5, offset=offset)
     along, up = EL_CENTRO[0], EL_CENTRO[2]
     motions = {"x": [along], "y": [rk.GroundMotion.none(along.duration), along]}[way]
     options = rk.SolverOptions(method="DOP853", rtol=1e-12, atol=1e-15)
