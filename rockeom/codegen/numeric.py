@@ -5,7 +5,7 @@ The module holds the free motion and the points. The forces of a mode are solved
 """
 
 from rockeom.codegen.outputs import Columns
-from rockeom.codegen.points import functions_of_points
+from rockeom.codegen.points import functions_of_points, impact_law
 from rockeom.codegen.tables import table
 from rockeom.codegen.text import Text
 from rockeom.symbolic.contacts import ContactDeclaration
@@ -178,6 +178,7 @@ def _tables(of: ContactDeclaration) -> list[str]:
         f"FIRST_BOUND = {_guards_of_points(of)}  # of the guards",
         f"N_BOUNDS_OF_DECLARATION = {len(of.bounds)}  # behind them are tilts that overturn",
         *(["HELD_ACROSS = True"] if of.is_held_across else []),
+        *impact_law(of),
         "TRANSITIONS = ()",
         "LOCALISED = False  # whether forces may act in a small part of a step",
         "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",

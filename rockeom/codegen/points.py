@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from rockeom.codegen.text import Text
-from rockeom.codes import NEVER_SLIPS
+from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.lagrange import rate
@@ -17,8 +17,14 @@ def functions_of_points(text: Text, of: ContactDeclaration) -> None:
     _free_motion(text, of)
     _points(text, of)
     _point_laws(text, of)
-    if of.impact_law != "newton":
+    if of.impact_law != "newton" and not of.by_code:
         _point_numbers(text, of)
+
+
+def impact_law(of: ContactDeclaration) -> list[str]:
+    """The number of the impact law; Newton's needs none."""
+    law = of.impact_law
+    return [] if law == "newton" else [f"IMPACT_LAW = {CONTACT_LAWS[law]}  # {law}"]
 
 
 def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:

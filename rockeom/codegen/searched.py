@@ -14,13 +14,12 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.codegen.outputs import Columns
-from rockeom.codegen.points import functions_of_points
+from rockeom.codegen.points import functions_of_points, impact_law
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
 from rockeom.codegen.text import Text, branched
 from rockeom.codes import (
     BOUND,
-    CONTACT_LAWS,
     FRICTIONLESS,
     LANDING,
     LIFTING,
@@ -584,7 +583,7 @@ def _tables(written: Written) -> list[str]:
         *([f"TIES = {ties!r}"] if (ties := _ties(of)) else []),
         *(table("BOUNDS", of.bounds) if of.bounds else []),
         *(["HELD_ACROSS = True"] if of.is_held_across else []),
-        *_impact_law(of),
+        *impact_law(of),
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),
         *column("GUARDS = (", {name: str(len(row)) for name, row in guards_in.items()}),
@@ -605,12 +604,6 @@ def _feet_of(of: ContactDeclaration) -> tuple[tuple[int, ...], ...]:
         return not tidy(sp.expand_trig(apart)).free_symbols & q
 
     return tuple(tuple(int(is_of(c, b)) for c in of.contacts) for b in of.bodies)
-
-
-def _impact_law(of: ContactDeclaration) -> list[str]:
-    """The number of the impact law; Newton's needs none."""
-    law = of.impact_law
-    return [] if law == "newton" else [f"IMPACT_LAW = {CONTACT_LAWS[law]}  # {law}"]
 
 
 def _states_of_contacts(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:

@@ -18,7 +18,7 @@ from rockeom.compiler.modules import Modules, Text, module_text, parsed, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.linking import texts_of_modes
+from rockeom.integrator.linking import text_of_law, texts_of_modes
 from rockeom.integrator.schema import (
     PRELUDE,
     PROVIDED,
@@ -259,8 +259,7 @@ def _described(module: GeneratedModule) -> Described:
     texts, provided = [*prelude, own], [own, *texts_of_modes(module, _written)]
     if getattr(module, "N_POINTS", 0):  # and does not move through elements alone
         texts.append(Text("impact", _OF_POINTS))
-        which = "newton" if impact_law(module) == NEWTON else "impacts"
-        provided.append(_written(f"rockeom.integrator.transitions.{which}"))
+        provided.append(_written(text_of_law(module)))
     modules = Modules({PRELUDE: prelude, PROVIDED: tuple(provided)}, _written)
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, modules, entries)

@@ -42,6 +42,7 @@ REDUNDANT = 1e-12  # of a diagonal entry, that is left: its row follows from oth
 NONE_OF_TERMS = 1e-14  # of the terms of a sum: nothing but rounding errors
 WEDGE = 2.414213562373095  # tangent of the angle to its axis at which a slip has turned: 67.5 deg
 MOST_PART = 1e100  # of its friction that a guard counts
+SLOW_SLIP = 1e-7  # [m/s] below which a slip turns as slowly as there, see `slow_turns`
 LEAST_SLIP = 1e-10  # [m/s] at which a slip has ended: a slower one turns faster than steps follow
 MOST_SHARES = 60  # of the iteration for the least friction
 SAME_PART = 1e-13  # of it, that all points use: it has come to its end
@@ -254,16 +255,14 @@ def allowed(n, g, pivots, b, x):
 
 
 @everywhere
-def motion_without_slips(mode, n, m, smooth, matrix, forces, told, x):
-    """Accelerations x (n,) alone, as `hold` has them, in a mode in which nothing slips.
+def move(mode, n, m, smooth, matrix, forces, told, bias, x):
+    """Accelerations x (n,) alone, as `hold` has them where nothing slips.
 
     N' (M N s - f + M x_0) = 0 has no forces.
     """
     rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
     g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
-    bias, left = np.empty(MOST_ROWS), np.empty(MOST_UNKNOWNS)
-    free = np.empty(MOST_COORDINATES, np.int64)
-    biases_of_rows(n, m, told, bias)
+    left, free = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES, np.int64)
     rows_in(mode, m, smooth, rows)
     squares_of_rows(n, m, rows, told, bias, g)
     order = n - reduced_rows(n, width, g, pivots)
@@ -297,9 +296,12 @@ def reduced_rows(k, width, a, pivots):
     the independent ones, are then F, by which their rows follow.
     """
     own, rank, row = np.empty(MOST_COORDINATES), 0, np.empty(MOST_COORDINATES + 1)
+    largest = 0.0
+    for i in range(k):
+        largest = max(largest, a[i * width + i])
     for i in range(k):
         pivots[i] = 0
-        own[i] = a[i * width + i]
+        own[i] = max(a[i * width + i], REDUNDANT * largest)  # not of what is rounding alone
     for _ in range(k):
         best, most = -1, REDUNDANT
         for i in range(k):
@@ -363,6 +365,68 @@ def motion_in_code(mode, n, m, smooth, matrix, forces, told, accelerations, shar
     bias = np.empty(MOST_ROWS)
     biases_of_rows(n, m, told, bias)
     hold(mode, n, m, smooth, matrix, forces, told, bias, accelerations, share)
+    if some_are_slow(mode, n, m, told):
+        slow_turns(mode, n, m, smooth, told, matrix, accelerations)
+
+
+@everywhere
+def motion_without_slips(mode, n, m, smooth, matrix, forces, told, accelerations):
+    """Accelerations (n,) alone, as `motion_in_code` has them, in a mode in which nothing slips."""
+    bias = np.empty(MOST_ROWS)
+    biases_of_rows(n, m, told, bias)
+    move(mode, n, m, smooth, matrix, forces, told, bias, accelerations)
+
+
+def is_slow(mode, point, n, told):
+    """Whether a point slips, and slowly."""
+    at = point * (FIRST_LEVER + 3 * n)
+    square = told[at + 2] * told[at + 2] + told[at + 3] * told[at + 3]
+    return slips_by(digit_of(mode, point)) and square < SLOW_SLIP * SLOW_SLIP
+
+
+def some_are_slow(mode, n, m, told):
+    """Whether any point slips slowly."""
+    some = False
+    for i in range(m):
+        some = some or is_slow(mode, i, n, told)
+    return some
+
+
+def slow_turns(mode, n, m, smooth, told, matrix, accelerations):
+    """Let slow slips turn no faster than one of SLOW_SLIP would, in accelerations (n,).
+
+    A slip turns towards what drives it, the faster the slower it is: by mu g/|w|, a million times a
+    second, which explicit steps would have to follow though nothing else happens. Where it is slow,
+    a mass of the point resists its acceleration across the slip, and so only that it turns. Rows
+    that are held stay so. matrix (n, n) : M, to which these masses are added.
+    """
+    along, nothing = np.empty(2 * MOST_POINTS_IN_SPACE), np.zeros(MOST_ROWS)
+    across, own = np.empty(MOST_COORDINATES), np.empty(MOST_COORDINATES)
+    forces, change = np.zeros(MOST_COORDINATES), np.empty(MOST_COORDINATES)
+    directions_of_slips(mode, n, m, told, along)
+    for j in range(n):
+        own[j] = matrix[j * n + j]
+    for i in range(m):
+        if not is_slow(mode, i, n, told):
+            continue
+        at = i * (FIRST_LEVER + 3 * n)
+        speed = math.sqrt(told[at + 2] ** 2 + told[at + 3] ** 2)
+        x, y = -along[2 * i + 1], along[2 * i]
+        turns = x * told[at + FIRST_BIAS + 1] + y * told[at + FIRST_BIAS + 2]
+        lever, freely = lever_of(3 * i + 1, n), 0.0
+        for j in range(n):
+            across[j] = x * told[lever + j] + y * told[lever + n + j]
+            turns += across[j] * accelerations[j]
+            freely += across[j] ** 2 / own[j] if own[j] > 0.0 else 0.0
+        slower = SLOW_SLIP / max(speed, LEAST_SLIP) - 1.0
+        mass = slower / freely if freely > 0.0 else 0.0
+        for j in range(n):
+            forces[j] -= mass * turns * across[j]
+            for k in range(n):
+                matrix[j * n + k] += mass * across[j] * across[k]
+    move(mode, n, m, smooth, matrix, forces, told, nothing, change)
+    for j in range(n):
+        accelerations[j] += change[j]
 
 
 @everywhere

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
-from rockeom.codes import NEWTON
+from rockeom.codes import MOREAU, NEWTON
 from rockeom.compiler.modules import Modules, Text, module_text, without
 from rockeom.integrator.schema import (
     PRELUDE,
@@ -87,9 +87,14 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
         return [Text("what follows from a structure", "N_POINTS = CONTACT_SIZE = 0\n"), *which]
     facts = f"from {INTEGRATOR}.transitions.points import CONTACT_SIZE\n"
     facts += f"ANGLES = {angles(generated)!r}\n"
-    law = "newton" if impact_law(generated) == NEWTON else "impacts"
-    which.append(read(f"{INTEGRATOR}.transitions.{law}"))
+    which.append(read(text_of_law(generated)))
     return [Text("what follows from a structure", facts), *which]
+
+
+def text_of_law(generated: GeneratedModule) -> str:
+    """The text of the impact law: Moreau's in space has that of Newton's, whose search it is."""
+    alike = impact_law(generated) == NEWTON or is_by_code(generated)
+    return f"{INTEGRATOR}.transitions.{'newton' if alike else 'impacts'}"
 
 
 def texts_of_modes(
@@ -101,6 +106,8 @@ def texts_of_modes(
         names = ["modes_by_code", "points_in_space"]
     ground = f"AXES = {len(ground_axes(generated))}\nSTILL = (0.0,) * AXES\n"
     ground += f"DIRECTIONS = {3 if is_by_code(generated) else 2}\n"
+    returns = is_by_code(generated) and impact_law(generated) == MOREAU
+    ground += f"RETURNS_SLIPS = {returns}\n"
     texts = [read(f"{INTEGRATOR}.transitions.{name}") for name in names]
     return [*texts, Text("the ground", ground)]
 

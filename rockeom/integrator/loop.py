@@ -101,6 +101,7 @@ from rockeom.integrator.provided import (
     hop_ends,
     initial_mode_is_one,
     is_rounding,
+    jammed,
     kind_of,
     longest_turn,
     rates,
@@ -210,8 +211,11 @@ def integrate(
                 motion, guard, h = accept(motion, step, case, a, recorder)
             else:
                 motion = with_control(motion, step)
-            if motion.outcome != COMPLETED:
-                break
+        mode, guard = jammed(motion, guard, ground, case, a)
+        if mode != motion.mode:
+            motion = motion._replace(mode=mode, outcome=COMPLETED)
+        if motion.outcome != COMPLETED:
+            break
         if guard >= 0:
             motion = leave_mode(motion, ground, guard, h, case, a, recorder)
             if motion.outcome != COMPLETED:

@@ -210,8 +210,12 @@ LOOK_BESIDE = 1e-6
 SOON = 1e-6
 # In parts of a step: after which forces decide between modes that move alike at an event.
 SOON_IN_STEP = 1e-5
+# Relative to the force that holds a structure: that of a slip for which no step is short enough.
+JAMMED = 10.0
 # [m/s, rad/s] the velocity with which a slip in space begins, so that it has a direction.
 FIRST_SLIP = 1e-8
+# [m/s] the same of the slowest of several, and the most of the fastest for its sake.
+LEAST_FIRST_SLIP, MOST_FIRST_SLIP = 1.5e-10, 1e-7
 # Relative to how a point yields along the ground: the direction of a slip that begins is known.
 SAME_DIRECTION = 1e-13
 # Relative to how freely a point moves: it yields by so much at least where it is about to slip.

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import os
+from collections.abc import Iterator
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -19,6 +21,7 @@ from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, box, solid
 
 Place = tuple[float, float]
+_OF_MASSES = ("inertia_xx", "inertia_yy", "inertia_zz", "centroid_height")
 
 
 class _StandingBody(StructureWithFields):
@@ -38,10 +41,6 @@ def _slips(kind: str, friction: float | None, restitution: float) -> str:
         raise InputError("restitution", restitution, kind).give("a ratio of rates, 0 to 1")
     if friction is None:
         return "never"
-    if value_of(friction) > 0 and value_of(restitution) > 0:
-        raise InputError("restitution", restitution, kind).give(
-            "0 where feet rub: Newton's law with friction may gain energy in space"
-        )
     return "rubbing" if value_of(friction) > 0 else "freely"
 
 
@@ -81,8 +80,7 @@ class Prism(_StandingBody):
     friction : float, optional
         Coefficient of friction at each corner; None for corners that never slip.
     restitution : float, optional
-        Ratio of the rates of a corner's gap after and before it lands alone, 0 to 1; 0 with
-        friction.
+        Ratio of the rates of a corner's gap after and before it lands alone, 0 to 1.
     offset_x : float, optional
         Place of the centroid along x, from the middle of the base [m].
     offset_y : float, optional
@@ -109,7 +107,11 @@ class Prism(_StandingBody):
     -----
     A corner that never slips is released where it would jam: where no forces fit that press, it
     bears without friction until it opens or lands again. Where several sets of corners fit an
-    impact, the one with more corners closed follows, which loses more energy.
+    impact, the one with more corners closed follows.
+
+    Impacts follow Moreau's law: after one plus restitution times before it, velocities of corners
+    satisfy the laws of gap and friction. So a corner that sticks in it leaves with its slip turned
+    round. No impact gives energy.
 
     Friction is Coulomb's: corners stick as long as some share of the force along the ground lies
     in the cones of all, and slip against their friction. A slip begins with a velocity of 1e-8 m/s,
@@ -153,6 +155,36 @@ class Prism(_StandingBody):
     def derivation(self) -> dict[str, Any]:
         return {"slips": _slips("Prism", self.friction, self.restitution)}
 
+    @property
+    def symmetry_angle(self) -> float:
+        """Angle about the vertical after which it is as before [rad]."""
+        return 2.0 * np.pi if self.offset_x or self.offset_y else np.pi
+
+    def changed(self, wider: float, lower: float) -> Iterator[tuple[str, Prism]]:
+        """Prisms of the same mass and inertia with another base and centroid, and the change.
+
+        Parameters
+        ----------
+        wider : float
+            Length that the base gains both ways [m].
+        lower : float
+            Part of its height by which the centroid is lowered.
+
+        Yields
+        ------
+        tuple of (str, Prism)
+            Change in words, and the changed prism.
+        """
+        values, same = self.parameters(), functools.partial(dataclasses.replace, self)
+        own = {name: x for name, x in values.items() if name in _OF_MASSES}
+        base = {"width": self.width + wider, "depth": self.depth + wider}
+        yield (
+            f"A base {100 * wider:g} cm wider both ways, half of it on each side",
+            same(**own | base),
+        )
+        own["centroid_height"] *= 1.0 - lower
+        yield f"A centroid {100 * lower:g} % lower", same(**own)
+
     @functools.cached_property
     def solids(self) -> dict[str, Solid]:
         middle = self.height / 2 - self.parameters()["centroid_height"]
@@ -189,7 +221,7 @@ class LeggedStatue(_StandingBody):
     friction : float, optional
         Coefficient of friction at each foot; None for feet that never slip.
     restitution : float, optional
-        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1; 0 with friction.
+        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1.
     gravity : float, optional
         Acceleration of gravity [m/s2].
     shape : tuple, optional

@@ -327,19 +327,21 @@ class Support:
             return self._describe_sliding()
         if math.isnan(self.friction_demand):
             return "Its feet have no friction: the ground moves under them."
-        alone = self.foot_friction_demand
-        if len(self._holding_feet) < 2:
-            return self._describe_friction()
+        alone, one = self.foot_friction_demand, len(self._holding_feet) < 2
         together = f" Both are of all feet together: single ones needed {alone:.3g} under forces."
         if math.isinf(alone):
             together = " Both are of all feet together: none would have held single ones."
+        together *= not one
         names, kinds = self._structure.module.MODES, self._events.columns.kinds
         freed = [
             names[after].count("_released") - names[before].count("_released")
             for _, before, after, _ in kinds
         ]
         released = sum(number > 0 for number in freed)
-        jams = f" {released} times feet that jammed were released, and slid." if released else ""
+        jammed = "feet that jammed were released, and slid"
+        if one:
+            jammed = "its rim, which pressed no more and had to hold, was released, and slipped"
+        jams = f" {released} times {jammed}." if released else ""
         return self._describe_friction() + together + jams
 
     def _describe_friction(self) -> str:

@@ -61,7 +61,8 @@ class Rigid:
     Notes
     -----
     At the points that touch v and w are the rates of gaps and slips, P and Q the impulses along
-    them.
+    them. In space "newton", where there is no restitution or no friction, and "moreau", with one
+    restitution of gap and slips.
 
     * "newton": P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip after
       the impact, ``|Q| <= friction P``. It gains no energy with e = 0, nor without friction; else

@@ -30,6 +30,7 @@ from tests.space.cases import GRAVITY, TIGHT, Case, of_group
 
 IMPACTS = [name for name in of_group("prism impact") if "frictionless" in name]
 IMPACTS += ["smooth_impact_S_dir20"]
+HALF = sp.Rational(1, 2)
 
 
 def started(case: Case, rotation: str, spin=(0, 0, 0)) -> dict[str, float]:
@@ -195,6 +196,8 @@ def test_derivatives_pass_through_the_landings_of_smooth_corners():
     ("changed", "words"),
     [
         ({"law": Rigid(friction=0, law="poisson")}, "a slip turns within an impact in space"),
+        ({"law": Rigid(HALF)}, "with which Newton's law may gain energy: give law='moreau'"),
+        ({"law": Rigid(HALF, 0.3, "moreau", tangential=HALF)}, "leave `tangential` out"),
         ({"places": {f"f{i}": (i, i * i, -1) for i in range(9)}}, "declare at most 8 in space"),
         ({"falls": {Tilt("tilt", sp.Integer(1)): sp.Integer(2)}}, "give an angle between 0 and pi"),
         ({"falls": "tilt"}, "give a mapping"),

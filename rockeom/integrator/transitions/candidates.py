@@ -37,6 +37,7 @@ from rockeom.integrator.provided import (
     N_PARTS,
     N_POINTS,
     N_STATES,
+    RETURNS_SLIPS,
     ROTATION,
     STILL,
     aim_slips,
@@ -245,10 +246,10 @@ def collide(mode, near, slowest, contact, y):
     """Velocities y[n:] after all closed points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
-    closed, or faster where nothing presses; friction opposes the slip after the impact; all points
-    at once. Returns a mode of the impulses that fit, the best of those that lead to the
-    same velocities, or IMPOSSIBLE, or AMBIGUOUS. slowest : what counts as the same, squared in the
-    measure of the mass, at least.
+    closed, or faster where nothing presses; friction opposes the slip after the impact, by Moreau's
+    law that slip and e times the one before; all points at once. Returns a mode of the impulses
+    that fit, the best of those that lead to the same velocities, or IMPOSSIBLE, or AMBIGUOUS.
+    slowest : what counts as the same, squared in the measure of the mass, at least.
     """
     n = N_COORDINATES
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
@@ -264,6 +265,8 @@ def collide(mode, near, slowest, contact, y):
         point = int(r / DIRECTIONS)
         if DIRECTIONS * point == r:
             wanted[r] -= contact[LAWS + 2 * point] * min(arriving, 0.0)
+        elif RETURNS_SLIPS:
+            wanted[r] -= contact[LAWS + 2 * point] * arriving
     alike = max(SAME_VELOCITIES * whole, slowest)
     follows, impulse = IMPOSSIBLE, np.empty(ROWS)
     for extra in range(EXTRA_CANDIDATES + 1):
@@ -553,10 +556,13 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
         if is_smooth(i):
             continue
         slip, size = slip_of(contact, i, out, n)
-        still = state == STICK or abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
+        still = abs(slip) <= FITS * max(size, sizes[DIRECTIONS * i + 1])
+        # what sticks by Moreau's law slips back, e times as fast
+        back = RETURNS_SLIPS and kind == LANDING and contact[LAWS + 2 * i] > 0.0
+        still = still or (state == STICK and not back)
         if state == IDLE_POINT and not still:
             still = at_rest_along(i, slip, mode, out, p, shaking, contact)
-        if kind == STICKING and stops(i, subject, mode, slip):
+        if stops(kind, i, subject, mode, slip):
             still = True
         if still:
             hold_slip(contact, i, out, rows, wanted)

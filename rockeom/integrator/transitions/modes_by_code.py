@@ -19,7 +19,7 @@ from rockeom.codes import (
     STICKING,
 )
 from rockeom.compiler.decorators import inlined
-from rockeom.generated.numeric_modes import digit_of, is_smooth_by, slips_by
+from rockeom.generated.numeric_modes import PLACE_VALUES, digit_of, is_smooth_by, slips_by
 from rockeom.integrator.provided import (
     FIRST_BOUND,
     N_BOUNDS_OF_DECLARATION,
@@ -94,6 +94,12 @@ def part_of(mode, guard):
 def side_of(mode):
     """No mode has a side."""
     return 0.0
+
+
+@inlined
+def without(mode, point):
+    """The mode in which a point is open."""
+    return mode - digit_of(mode, point) * PLACE_VALUES[point]
 
 
 @inlined

@@ -72,6 +72,12 @@ def side_of(mode):
 
 
 @inlined
+def without(mode, point):
+    """The mode itself: none follows by its number."""
+    return mode
+
+
+@inlined
 def point_state(mode, point):
     """The state of a point in a mode."""
     return POINT_STATES[mode][point]

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from rockeom.codes import FRICTIONLESS, NEVER_SLIPS, OPEN, STICK
+from rockeom.codes import FRICTIONLESS, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.integrator.provided import (
     FEET_OF,
@@ -258,9 +258,9 @@ def begin_slips(mode, sliding, wanted, contact, y):
 
 
 @inlined
-def stops(point, subject, mode, slip):
+def stops(kind, point, subject, mode, slip):
     """Whether the slip of a point ends with that of another one."""
-    return shares_with(mode, point) == shares_with(mode, subject)
+    return kind == STICKING and shares_with(mode, point) == shares_with(mode, subject)
 
 
 def held_upright(mode, y, p):

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from rockeom.codes import BEARS, IDLES, OPEN, RELEASED
+from rockeom.codes import BEARS, IDLES, LIFTING, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     PLACE_VALUES,
@@ -37,8 +37,10 @@ from rockeom.integrator.tolerances import (
     FIRST_SLIP,
     FROM_REST,
     JUST_SLIPS,
+    LEAST_FIRST_SLIP,
     LEAST_SIZE,
     LEAST_YIELD,
+    MOST_FIRST_SLIP,
     NEARLY,
     NO_TURN,
     OF_YIELDS,
@@ -57,6 +59,7 @@ from rockeom.integrator.transitions.points import (
     exceeds,
     rate_of,
     row_of_point,
+    slip_of,
 )
 
 __fused__ = False
@@ -67,6 +70,7 @@ CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip,
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
+MOST_HALVES = 70  # of yields, which are within 36 powers of ten
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
 
@@ -201,9 +205,7 @@ def with_directions(candidate, sliding, wanted, contact, share, motion):
         for i in range(N_POINTS):
             if alone[i] > 0.0:
                 u, v = after[DIRECTIONS * i + 1], after[DIRECTIONS * i + 2]
-                bound = bound_of(i, contact, share)
-                if not bound > 0.0:
-                    return -1
+                bound = max(bound_of(i, contact, share), LEAST_SIZE)
                 yields[i] = max(math.sqrt(u * u + v * v) / bound, LEAST_YIELD * alone[i])
     softer, excess, worst = np.empty(CONTACT_SIZE), np.zeros(N_POINTS), np.inf
     for turn in range(MOST_ITERATIONS):
@@ -224,6 +226,8 @@ def with_directions(candidate, sliding, wanted, contact, share, motion):
             if none_exceeds(alone, excess):
                 return -1
     if not worst <= JUST_SLIPS:
+        worst = halved(free, alone, yields, held, contact, softer, share, motion, excess)
+    if not worst <= JUST_SLIPS:
         return -1
     for i in range(N_POINTS):
         if alone[i] > 0.0:
@@ -235,6 +239,33 @@ def with_directions(candidate, sliding, wanted, contact, share, motion):
             contact[i * POINT + 2], contact[i * POINT + 3] = u / speed, v / speed
             stuck += (digit_of_slip(i, contact) - BEARS) * PLACE_VALUES[i]
     return stuck
+
+
+@rolled
+def halved(free, alone, yields, held, contact, softer, share, motion, excess):
+    """The excess left of a damper that is the only one, its yield found by halving; else inf.
+
+    Where it yields little it has too much friction, or the point would pull, and too little where
+    it yields much: whatever the friction, it slips in between.
+    """
+    point, count, worst = 0, 0, np.inf
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            point, count = i, count + 1
+    low, high = LEAST_YIELD * alone[point], alone[point] / LEAST_YIELD
+    for turn in range(MOST_HALVES if count == 1 else 0):
+        middle = math.sqrt(low * high)
+        yields[point] = low if turn == 0 else (high if turn == 1 else middle)
+        yielding(free, alone, yields, held, contact, softer, share, motion)
+        worst = excess_of_dampers(alone, yields, contact, share, motion, excess)
+        yields_more = excess[point] > 0.0 or not worst < np.inf
+        if turn < 2 and yields_more != (turn == 0):
+            return np.inf  # friction holds it, or would have to be more
+        if turn >= 2 and yields_more:
+            low = middle
+        elif turn >= 2:
+            high = middle
+    return worst
 
 
 @rolled
@@ -581,14 +612,25 @@ def begin_slips(mode, sliding, wanted, contact, y):
         return
     for i in range(N_COORDINATES):
         largest = max(largest, abs(motion[i]))
+    if largest == 0.0:
+        return
+    first = FIRST_SLIP / largest
+    for i in range(N_POINTS):  # the slowest of them must not seem to have ended
+        if slips_by(digit_of(mode, i)) and sliding[i] == 0.0:
+            slip, _ = slip_of(contact, i, motion, 0)
+            if slip * first < LEAST_FIRST_SLIP <= slip * MOST_FIRST_SLIP / largest:
+                first = LEAST_FIRST_SLIP / slip
     for i in range(N_COORDINATES):
-        y[N_COORDINATES + i] += motion[i] * FIRST_SLIP / largest if largest > 0.0 else 0.0
+        y[N_COORDINATES + i] += motion[i] * first
 
 
 @inlined
-def stops(point, subject, mode, slip):
-    """Whether the slip of a point has come to its end, where one has turned or ended."""
-    return slip <= STOPPED
+def stops(kind, point, subject, mode, slip):
+    """Whether the slip of a point has come to its end, where one has turned or ended.
+
+    Where a force vanishes, too: slow slips turn so late, see `slow_turns`, that it may do so early.
+    """
+    return kind in (STICKING, LIFTING) and slip <= STOPPED
 
 
 def held_upright(mode, y, p):

@@ -11,20 +11,34 @@ from rockeom.codes import (
     CHATTER,
     IMPOSSIBLE,
     LANDING,
+    LIFTING,
     NO_SOLUTION,
     OVERTURNED,
     SEVERAL_SOLUTIONS,
+    SLIP_RIGHT,
+    STALLED,
     STAYS_OPEN,
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
-from rockeom.integrator.provided import N_STAGES, N_STATES, held_upright, kind_of, tips_over
+from rockeom.integrator.provided import (
+    DIRECTIONS,
+    N_POINTS,
+    N_STAGES,
+    N_STATES,
+    guards,
+    held_upright,
+    kind_of,
+    point_state,
+    tips_over,
+    without,
+)
 from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
-from rockeom.integrator.tolerances import SAME_INSTANT, SOON_IN_STEP
+from rockeom.integrator.tolerances import JAMMED, SAME_INSTANT, SOON_IN_STEP
 from rockeom.integrator.transitions.candidates import (
     GROUND_SIZE,
     fits_by_forces,
@@ -33,9 +47,10 @@ from rockeom.integrator.transitions.candidates import (
     nothing_moves,
     pass_on,
     still_closed,
+    without_forces,
 )
 from rockeom.integrator.transitions.landings import end_closed, fall_within, single_hop, to_landing
-from rockeom.integrator.transitions.points import is_closed
+from rockeom.integrator.transitions.points import ROWS, contact_data, is_closed
 from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
 
 MOST_IDLE = 1000  # events at one instant; with more they are chatter
@@ -48,6 +63,29 @@ EXTRAPOLATES = True
 def initial_mode_is_one(mode, y, p, shaking):
     """Whether no other mode may begin in a state."""
     return fits_by_forces(mode, y, p, shaking) != AMBIGUOUS
+
+
+@inlined
+def jammed(motion, guard, ground, case, a):
+    """(mode, guard) as they are, or, where a point jams, that it lands, in a mode without it.
+
+    In space the force at a point that slips may grow beyond all bounds, as 1/sqrt(t' - t), where
+    friction presses it down more than it lifts it (Painleve 1895). Only an impact ends that. No
+    step is short enough then, or one passes over it, and a force of the other sign `guard` tells.
+    """
+    mode, follows, most = motion.mode, guard, JAMMED
+    stalls = motion.outcome == STALLED and motion.taken < case.max_steps
+    if DIRECTIONS == 3 and (stalls or (guard >= 0 and kind_of(mode, guard) == LIFTING)):
+        wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
+        shaking = ground_accelerations(ground, motion.t)
+        contact_data(a.y, case.p, mode, a.contact)
+        without_forces(a.y, case.p, shaking, mode, a.contact, wanted, sizes)
+        guards(mode, a.y, case.p, *shaking, a.g)
+        for i in range(N_POINTS):
+            part = abs(a.g[i]) / sizes[ROWS + i]
+            if part > most and point_state(motion.mode, i) == SLIP_RIGHT:
+                mode, follows, most = without(motion.mode, i), i, part
+    return mode, follows
 
 
 @inlined

@@ -48,6 +48,12 @@ def initial_mode_is_one(mode, y, p, shaking):
 
 
 @inlined
+def jammed(motion, guard, ground, case, a):
+    """(mode, guard) as they are: no point jams, see search.py."""
+    return motion.mode, guard
+
+
+@inlined
 def longest_turn(y):
     """The longest step in which eight samples follow a gap: the gap of a foot is the rotation."""
     return np.inf

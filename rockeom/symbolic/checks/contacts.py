@@ -17,7 +17,7 @@ from rockeom.symbolic.checks.common import (
     naming,
     springs_outputs,
 )
-from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
+from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force, Rigid
 from rockeom.symbolic.elements import Damper, Pulse, Spring, Tie, Unilateral, Yielding
 from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Tilt
 
@@ -157,11 +157,7 @@ def _are_in_space(of: ContactDeclaration) -> None:
                 "`space.feet(...)`, or leave `contacts` out, and let the coordinates hold the "
                 "bodies on the ground, as those of `space.wobble`"
             )
-        if c.law.law != "newton":
-            raise ModelError(
-                f"{what} has the impact law {c.law.law!r}, by which a slip turns within an impact "
-                "in space: give 'newton'"
-            )
+        _has_law_in_space(what, c.law)
     if of.switching:
         raise ModelError(
             f"element {of.switching[0].name!r} switches, and a structure with contacts in space "
@@ -169,6 +165,25 @@ def _are_in_space(of: ContactDeclaration) -> None:
         )
     if len(of.contacts) > (most := MOST_POINTS_IN_SPACE):
         raise ModelError(f"it has {len(of.contacts)} contacts: declare at most {most} in space")
+
+
+def _has_law_in_space(what: str, law: Rigid) -> None:
+    """Moreau's law, with one restitution, and Newton's where that is the same."""
+    if law.law not in ("newton", "moreau"):
+        raise ModelError(
+            f"{what} has the impact law {law.law!r}, by which a slip turns within an impact in "
+            "space: give 'moreau'"
+        )
+    if law.tangential is not None:
+        raise ModelError(
+            f"{what} has a restitution of its slip, with which Moreau's law may gain energy: leave "
+            "`tangential` out, for that of its gap"
+        )
+    if law.law == "newton" and not law.frictionless and not sp.sympify(law.restitution).is_zero:
+        raise ModelError(
+            f"{what} has restitution and friction, with which Newton's law may gain energy: give "
+            "law='moreau'"
+        )
 
 
 def _roll(of: ContactDeclaration) -> None:

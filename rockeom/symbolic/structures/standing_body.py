@@ -91,6 +91,7 @@ def _standing(
     require_word("slips", slips, SLIPS, name)
     places = {foot: (*place, -CENTROID_HEIGHT.symbol) for foot, place in feet.items()}
     friction = (FRICTION,) if slips == "rubbing" else ()
+    law = Rigid(RESTITUTION.symbol, SLIPS[slips], "newton" if slips == "freely" else "moreau")
     return Model(
         name=name,
         title=title,
@@ -105,7 +106,7 @@ def _standing(
         bodies=(space.body("body", MASS.symbol, inertia, FRAME),),
         gravity=GRAVITY.symbol,
         rotation=PITCH,
-        contacts=space.feet(FRAME, places, Rigid(RESTITUTION.symbol, SLIPS[slips])),
+        contacts=space.feet(FRAME, places, law),
         falls=space.tilt(FRAME, FALLEN),
     )
 
