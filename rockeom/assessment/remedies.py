@@ -10,6 +10,7 @@ from scipy.special import stdtrit
 from rockeom.analysis.risk.fragility import Estimate
 from rockeom.assessment.statics import Statics, statics_of
 from rockeom.assessment.trials import Conditions, Trials, scaled
+from rockeom.integrator.schema import in_space
 from rockeom.structures.base import Structure
 
 WIDER = 0.05
@@ -76,10 +77,10 @@ def paired_gain(
 
 def _changed(structure: Structure) -> Iterator[tuple[str, Structure]]:
     """Changed structures of the same mass and inertia, each with the change in words."""
-    if not hasattr(structure, "__dataclass_fields__"):
-        return
     if hasattr(structure, "changed"):
         yield from structure.changed(WIDER, LOWER)
+        return
+    if not hasattr(structure, "__dataclass_fields__") or in_space(structure.module):
         return
     same: Any = structure
     names = structure.defaults()

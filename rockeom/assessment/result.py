@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import Estimate
 from rockeom.analysis.standards.check import Check
+from rockeom.assessment.azimuths import AtAzimuth, by_azimuth, in_degrees, in_words as of_azimuths
 from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
@@ -50,6 +51,11 @@ _WIDTH = 78
 """Letters in a line of the summary."""
 _SHOWN = 60
 """Records that the page lists."""
+_BY_GROUP = (
+    "from below of the recordings all of whose motions overturn it, from above of those of which "
+    "any does"
+)
+_BY_PARTS = "of recordings that count by the part of the azimuths at which they overturn it"
 _STILL = 5e-4
 """Distance below which a structure stays in its place [m]."""
 
@@ -123,6 +129,11 @@ class Assessment:
         require(0.0 < probability < 1.0, "pga_at", "probability", probability, "as 0.05 for 5 %")
         return pga_of(self.trials.fragility, probability, self.level)
 
+    @cached_property
+    def azimuths(self) -> tuple[AtAzimuth, ...]:
+        """Outcomes at each azimuth of a structure in space."""
+        return by_azimuth(self.trials, self.conditions, self.level)
+
     @property
     def slides_first(self) -> bool | None:
         """Whether it slides before it rocks, to both sides; None without a friction."""
@@ -139,8 +150,9 @@ class Assessment:
         if not standing or self._slides:
             return None
         furthest = max(standing, key=lambda i: self.records[i].rotation)
-        motion = self.conditions.motions[furthest]
-        return simulate(case_of(self.structure, motion, self.conditions))
+        motion, turns = self.conditions.motions[furthest], self.conditions.azimuths or (0.0,)
+        turn = turns[furthest % len(turns)]
+        return simulate(case_of(self.structure, motion, self.conditions, turn))
 
     # -- questions
 
@@ -179,7 +191,7 @@ class Assessment:
     @property
     def title(self) -> str:
         """Question of the assessment, with the structure and the number of records."""
-        n = self._n // 2 if self.conditions.both_ways else self._n
+        n = self._n // (2 if self.conditions.both_ways else len(self.conditions.azimuths) or 1)
         slope = np.degrees(self.conditions.slope)
         where = f" on a slope of {slope:.3g} degrees" if slope else ""
         who = type(self.structure).__name__
@@ -196,7 +208,14 @@ class Assessment:
             self._scaled(),
             self._of_bodies(),
             "Each record shakes it in both directions." * self.conditions.both_ways,
+            self._of_turns(),
         )))  # fmt: skip
+
+    def _of_turns(self) -> str:
+        if len(turns := self.conditions.azimuths) < 2:
+            return ""
+        between = f"from {in_degrees(min(turns))} to {in_degrees(max(turns))}"
+        return f"Each record shakes it at {len(turns)} azimuths, {between}."
 
     def _as_recorded(self) -> str:
         answered = [one for one in self.records if one.answered]
@@ -211,7 +230,7 @@ class Assessment:
         fell = len(answered) - len(standing)
         said += f", {count(fell)} overturn{_s(fell)} it"
         if standing and np.isfinite(standing).all():
-            said += f"; the largest theta/alpha {'of the others ' * (fell > 0)}is "
+            said += f"; the largest {self._ratio} {'of the others ' * (fell > 0)}is "
             said += f"{max(standing):.2g}"
         return f"{said}."
 
@@ -268,6 +287,7 @@ class Assessment:
             f"Uplift: {self.statics.lifts} lifts {uplift}, the static threshold.",
             self._of_sliding(),
             *filter(None, [in_words(self.ties, self.trials, self.conditions)]),
+            *filter(None, [of_azimuths(self.azimuths, self.trials, self.conditions, self.level)]),
             *of_curve,
             *([self._of_unanswered()] if self.trials.without_answer else []),
         )
@@ -287,7 +307,8 @@ class Assessment:
         }
         first = self.statics.slides_first(friction)
         said = self._by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
-        return f"Sliding: it {said}.{self._of_room()}"
+        where = "in the weakest direction " * bool(self.conditions.azimuths)
+        return f"Sliding: {where}it {said}.{self._of_room()}"
 
     def _of_room(self) -> str:
         rooms = [(one.room, one.displacement) for one in self.records if np.isfinite(one.room)]
@@ -442,9 +463,13 @@ class Assessment:
                 for level in self.conditions.levels[[0, -1]].tolist()
                 for one in self.records
             ]
+            of_both = ", the geometric mean of both horizontal components" * bool(
+                self.conditions.azimuths
+            )
             said.append(
-                f"Records: scaled to each PGA, by {min(factors):.2g} to {max(factors):.2g}, which "
-                f"keeps their frequencies. {QUIET:g} s of quiet follow each."
+                f"Records: scaled to each PGA{of_both}, by {min(factors):.2g} to "
+                f"{max(factors):.2g}, which keeps their frequencies. {QUIET:g} s of quiet follow "
+                "each."
             )
         shaken = sum(motion.vertical is not None for motion in self.conditions.motions)
         if shaken:
@@ -454,9 +479,8 @@ class Assessment:
         if self.conditions.slope:
             said.append("Slope: it falls to the right; the records act along it and normal to it.")
         still = "" if shaken else "no vertical shaking, "
-        said.append(
-            f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
-        )
+        plane = "" if self.conditions.azimuths else "motion in one plane, "
+        said.append(f"Not checked: rigid ground, {plane}{still}feet that keep their edges.")
         return (*said, *self._of_intervals())
 
     def _of_feet(self) -> tuple[str, ...]:
@@ -465,7 +489,8 @@ class Assessment:
         if self.furthest is None:
             return ("No sliding: the simulations hold the feet.",)
         support = self.furthest.support
-        needed = max(support.friction_demand, support.impact_friction_demand)
+        of_all = support.friction_demand, support.impact_friction_demand
+        needed = max(*of_all, support.foot_friction_demand)  # NaN in the plane, and no larger
         friction = self.conditions.friction
         if np.isnan(needed):
             return ("No sliding: the simulations hold the edge about which it turns.",)
@@ -476,18 +501,19 @@ class Assessment:
         who = "a" if support.lost_contact else "no"
         return (
             "No sliding: the simulations hold the feet. Under the record that turned it furthest "
-            f"without overturning that needed a friction of {needed:.2g}.{held}",
+            f"without overturning that needed a friction of {needed:.2g}.{held}".replace(
+                " inf.", " infinity."
+            ),
             f"No bouncing: under that record {who} foot that stood {pulled}.",
         )
 
     def _of_intervals(self) -> tuple[str, ...]:
-        n = self._recordings
+        n, by_what = self._recordings, _BY_PARTS if self.conditions.azimuths else _BY_GROUP
         said = (
             f"Intervals: {percent(self.level)}. Their unit is a recording, one event at one "
             f"station: {plural(n, 'recording')} of {self._motions(self._n)}. Several events of a "
             "station, and stations of one event, are not grouped.",
-            "Fractions: Clopper and Pearson, from below of the recordings all of whose motions "
-            "overturn it, from above of those of which any does.",
+            f"Fractions: Clopper and Pearson, {by_what}.",
             "Curve: lognormal, maximum likelihood. Its intervals: Fieller and Student; motions of "
             "a recording may depend on one another fully.",
         )
@@ -497,6 +523,11 @@ class Assessment:
     def _in_doubt(self) -> bool:
         """Whether lengths, gravity or intensities must be checked before anything is promised."""
         return bool(self.units_in_doubt) and not self.units_checked
+
+    @property
+    def _ratio(self) -> str:
+        """The largest rotation over that from which it does not come back."""
+        return "tilt/barrier" if self.conditions.azimuths else "theta/alpha"
 
     @property
     def _foot(self) -> str:
@@ -532,7 +563,8 @@ class Assessment:
         return self.statics.uplift_acceleration
 
     def _motions(self, n: int) -> str:
-        return plural(n, "motion" if self.conditions.both_ways else "record")
+        several = self.conditions.both_ways or len(self.conditions.azimuths) > 1
+        return plural(n, "motion" if several else "record")
 
     def summary(self) -> str:
         """Whole assessment as text.
@@ -547,9 +579,14 @@ class Assessment:
             + (f"; others need up to {in_mm(row.room)} of room" if row.room > _STILL else "")
             for row in self.trials.intensities
         ]
+        levels = [f" at {in_g(level)}" for level in self.conditions.levels.tolist()]
         blocks = {
             "Results": self.findings,
             "Overturning against intensity": rows,
+            "Overturning against azimuth": [
+                f"{azimuth}: {'; '.join(map(str.__add__, cells, levels))}"
+                for azimuth, *cells in self._azimuth_rows()
+            ],
             "Checks of codes": self._checks_in_words(),
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
@@ -564,6 +601,14 @@ class Assessment:
                 for one in sentences
             ]
         return "\n".join(lines)
+
+    def _azimuth_rows(self) -> list[tuple[str, ...]]:
+        """Each azimuth, and the motions there that overturn at each PGA; none for one azimuth."""
+        rows = []
+        for azimuth, *columns in self.azimuths if len(self.azimuths) > 1 else ():
+            cells = [f"{n} of {of} ({_between(*ends)})" for n, of, *ends in zip(*columns)]  # noqa: B905
+            rows.append((in_degrees(azimuth), *cells))
+        return rows
 
     def _checks_in_words(self) -> list[str]:
         if not self._shows_checks:
@@ -642,6 +687,9 @@ class Assessment:
             "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
             if self._n
             else "",
+            f"<h2>Overturning against azimuth</h2>{self._azimuth_table()}"
+            if self._azimuth_rows()
+            else "",
             f"<h2>Checks of codes</h2>{self._check_table()}" if self._shows_checks else "",
             f"<h2>Measures that help</h2>{page.bullets(self.helps)}" if self.helps else "",
             f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
@@ -674,6 +722,12 @@ class Assessment:
         ]
         return page.table((*heads, *(["room"] if self._moves else [])), rows)
 
+    def _azimuth_table(self) -> str:
+        """Motions that overturn it, a row for each azimuth and a column for each PGA."""
+        heads = ("azimuth", *map(in_g, self.conditions.levels.tolist()))
+        table = page.wide(page.table(heads, self._azimuth_rows()))
+        return f"<p>The intervals at one PGA hold together at {percent(self.level)}.</p>{table}"
+
     def _check_table(self) -> str:
         """Motions and checks, a column for each PGA."""
         heads = ("", *map(in_g, self.conditions.levels.tolist()))
@@ -698,7 +752,7 @@ class Assessment:
         ]
         rest = f"<p>{len(rows) - _SHOWN} more are not listed.</p>" if len(rows) > _SHOWN else ""
         moves = ("room", "in the end") if self._moves else ()
-        heads = ("record", "PGA", "largest rotation", "theta/alpha", *moves)
+        heads = ("record", "PGA", "largest rotation", self._ratio, *moves)
         return page.table(heads, rows[:_SHOWN]) + rest
 
 
@@ -719,4 +773,8 @@ def _counted(row: AtIntensity) -> str:
 
 
 def _interval(row: AtIntensity) -> str:
-    return f"{percent(row.lower).removesuffix(' %')} to {percent(row.upper)}"
+    return _between(row.lower, row.upper)
+
+
+def _between(lower: float, upper: float) -> str:
+    return f"{percent(lower).removesuffix(' %')} to {percent(upper)}"

@@ -19,10 +19,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import weight_on
 from rockeom.numbers.checks import InputError
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import gravity_of
+from rockeom.structures.positions import bodies, has_barrier, stands_on_feet
 from rockeom.structures.shipped.stacked_blocks import StackedBlocks
 from rockeom.structures.slope import uplift_accelerations
 
@@ -220,6 +222,8 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
                 "corners that slide are not judged: leave out the support of the stack"
             )
         return _of_stack(structure)
+    if in_space(structure.module):
+        return _in_space(structure, slope)
     if (bare := structure.unrestrained) is not None:
         lifts = _LIFTS.get(structure.model, "a foot, with nothing that holds it,")
         held = hasattr(structure, "restraint")
@@ -260,6 +264,34 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
         one_body=math.isclose(counted, mass, rel_tol=1e-6),
         along=along,
     )
+
+
+def _in_space(structure: Structure, slope: float) -> Statics:
+    """Statics of the direction in which the least acceleration lifts it."""
+    m: Any = structure.module
+    name, gravity = type(structure).__name__, gravity_of(m, structure.vector)
+    if slope:
+        raise InputError("slope", slope, "assess").so(f"{name} is judged on level ground alone")
+    at = structure.positions({}) if stands_on_feet(m) or structure.overturning_angles else {}
+    if at and has_barrier(structure):
+        from scipy.spatial import ConvexHull  # slow to import
+
+        center = at[next(iter(bodies(m)))]
+        feet = np.array([at[foot] - center for foot in m.POINTS])
+        arm, height = -ConvexHull(feet[:, :2]).equations[:, -1].max(), -feet[0, 2]
+    elif structure.overturning_angles:  # of a round column
+        (alpha, _), height = structure.overturning_angles, at["column"][2]
+        arm = height * math.tan(alpha)
+    else:
+        raise InputError("structure", of="assess").says(
+            f"{name} is not one body at rest on level feet, such as a Prism, nor a round column"
+        )
+    least = float(gravity * arm / height)
+    weight = float(structure.reactions({})["vertical_reaction"])
+    return Statics(
+        (least, least), weight, weight / gravity, (float(arm), float(arm)), float(height),
+        2.0 * float(arm), "a foot, in the weakest direction,", one_body=False,
+    )  # fmt: skip
 
 
 def _of_facade(facade: Any, slope: float) -> Statics:

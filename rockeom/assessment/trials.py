@@ -1,5 +1,6 @@
 """Motions of a structure under records, as they were recorded and scaled to intensities."""
 
+import math
 import re
 from collections import Counter
 from dataclasses import fields
@@ -11,6 +12,7 @@ from rockeom.analysis.risk.fragility import (
     Estimate,
     Fragility,
     fit_fragility,
+    proportion_interval,
     proportion_interval_by_group,
 )
 from rockeom.analysis.sweeps import ANSWERS, FALLS, outcome_labels
@@ -19,6 +21,7 @@ from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.positions import RESERVE, TILT, has_barrier
 from rockeom.structures.searched_modes import breaking
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.structures.shipped.sliding_block import SlidingBlock
@@ -45,7 +48,8 @@ class Conditions(NamedTuple):
     Parameters
     ----------
     motions : tuple of Recording
-        Motions (n), one horizontal component each, with the vertical one if there is one.
+        Motions (n), one horizontal component each, with the vertical one if there is one; in space
+        whole recordings, each for each azimuth.
     recordings : ndarray
         Number of the recording of each motion (n,), the same for all motions of one event at one
         station.
@@ -63,6 +67,8 @@ class Conditions(NamedTuple):
         PGA as the user wrote it.
     slope : float, optional
         Slope of the ground [rad].
+    azimuths : tuple of float, optional
+        Azimuths of a structure in space [rad], those of a recording next to one another.
     """
 
     motions: tuple[Recording, ...]
@@ -74,6 +80,7 @@ class Conditions(NamedTuple):
     left_out: tuple[str, ...] = ()
     pga_given: Any = None
     slope: float = 0.0
+    azimuths: tuple[float, ...] = ()
 
     @property
     def vertical_peak(self) -> float:
@@ -96,7 +103,8 @@ class UnderRecord(NamedTuple):
     rotation : float
         Largest rotation of any body [rad].
     part : float
-        Rotation over the overturning angle, NaN where that is unknown.
+        Rotation over the overturning angle, in space tilt over that of the barrier, NaN where that
+        is unknown.
     room : float
         Room outside the place before that its base, sliding, and its top, leaning, take up at most
         [m]; NaN where it overturned or feet do not slide.
@@ -145,7 +153,8 @@ class AtIntensity(NamedTuple):
     number : int
         Number of motions with an answer.
     lower : float
-        Lower bound of the probability of overturning, Clopper and Pearson's by recording.
+        Lower bound of the probability of overturning, Clopper and Pearson's by recording; in space
+        of the parts of the azimuths, summed over recordings.
     upper : float
         Upper bound.
     room : float
@@ -247,13 +256,23 @@ def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials
     )
 
 
-def case_of(structure: Structure, motion: Recording, conditions: Conditions) -> Case:
+def case_of(
+    structure: Structure, motion: Recording, conditions: Conditions, azimuth: float = 0.0
+) -> Case:
     """The structure under a motion and quiet time after it."""
     impact, slope = conditions.impact, conditions.slope
-    horizontal, vertical = motion.horizontal[0], motion.vertical
-    longest = max(one.duration for one in (horizontal, vertical) if one is not None)
-    end = longest + QUIET
-    return Case(structure, horizontal, impact, duration=end, vertical=vertical, slope=slope)
+    *across, vertical = *motion.horizontal, motion.vertical
+    end = max(one.duration for one in (*across, vertical) if one is not None) + QUIET
+    if conditions.azimuths:
+        shaken: Any = motion  # which is all components
+        return Case(structure, shaken, impact, duration=end, azimuth=azimuth)
+    return Case(structure, across[0], impact, duration=end, vertical=vertical, slope=slope)
+
+
+def peak_of(motion: Recording) -> float:
+    """The PGA of a motion [m/s2]: of two components their geometric mean, as it is scaled."""
+    peaks = [one.peak for one in motion.horizontal]
+    return peaks[0] if len(peaks) == 1 else float(np.sqrt(np.prod(peaks)))
 
 
 def under(
@@ -267,46 +286,44 @@ def under(
     if not motions:
         return []
 
-    def case(motion: Recording, pga: float | None = None) -> Case:
-        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions)
+    def case(motion: Recording, pga: float | None = None, azimuth: float = 0.0) -> Case:
+        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions, azimuth)
 
-    over = {"motion": motions} | ({} if levels is None else {"pga": levels})
-    sweep = simulate_many(case, over, sweep_options=SweepOptions(progress=False))
+    turns = conditions.azimuths
+    leans = levels is None and has_barrier(structure)  # quantities take longer than the motions
+    over: dict[str, Any] = {"motion": motions[:: len(turns) or 1]}
+    over |= ({"azimuth": turns} if turns else {}) | ({} if levels is None else {"pga": levels})
+    quiet, quantities = SweepOptions(progress=False), (TILT, RESERVE) if leans else ()
+    sweep = simulate_many(case, over, quantities=quantities, sweep_options=quiet)
     labels = outcome_labels(sweep).values
-    part = room = displacement = np.full(labels.shape, np.nan)
-    theta = structure.module.STATES[structure.module.ROTATION]
-    if structure.overturning_angles is not None:
-        ratios = (
-            rotation_ratio(structure, sweep[name].sel(state=theta).values, conditions.slope)
-            for name in ("minimum", "maximum")
-        )
-        part = np.maximum(*map(np.abs, ratios))
-    turned = sweep[["peak", "final"]].sel(state=list(structure.falls))
-    rotation = turned["peak"].max("state").values
-    if can_slide(structure, conditions):
+    room = displacement = np.full(labels.shape, np.nan)
+    coordinates = _tilts(structure) if turns else [*structure.falls]
+    turned = sweep[["peak", "final"]].sel(state=coordinates)
+    rotation, part = _rotation(sweep, structure, turned["peak"], conditions.slope)
+    if can_slide(structure, conditions) and not turns:
         places = [name for name in tried.module.STATES if _PLACE.fullmatch(name)]
         base, displacement = (
             np.where(labels == FALLS, np.nan, abs(sweep[name].sel(state=places)).max("state"))
             for name in ("peak", "final")
         )
         room = base + height_of(structure)[0] * np.sin(rotation)
-    bodies = np.array(_bodies(structure))
+    bodies = np.array([""] * len(coordinates) if turns else _bodies(structure))
     body = bodies[abs(turned["final"]).argmax("state").values]
     columns = [
         x.reshape(len(motions), -1) for x in (labels, rotation, part, room, displacement, body)
     ]
+    at = [f", at {math.degrees(azimuth):.4g} degrees" for azimuth in turns] or [""]
+    names = [(one.name or "a ground motion") + at[i % len(at)] for i, one in enumerate(motions)]
     ties = {
         name: sweep["final"].sel(state=f"{name}_broken").values.reshape(len(motions), -1) == 1.0
         for name in breaking(tried.module)
     }
     return [
         tuple(
-            UnderRecord(
-                motion.name or "a ground motion", peak, *(x[i, j].item() for x in columns)
-            )._replace(broken=tuple(name for name, broken in ties.items() if broken[i, j]))
-            for j, peak in enumerate(
-                [motion.horizontal[0].peak] if levels is None else levels.tolist()
+            UnderRecord(names[i], peak, *(x[i, j].item() for x in columns))._replace(
+                broken=tuple(name for name, broken in ties.items() if broken[i, j])
             )
+            for j, peak in enumerate([peak_of(motion)] if levels is None else levels.tolist())
         )
         for i, motion in enumerate(motions)
     ]
@@ -318,6 +335,32 @@ def height_of(structure: Structure) -> tuple[float, str]:
         return full, "its full height"
     half = getattr(structure, "half_height", np.nan)
     return 2.0 * half, "twice the height of the centroid"
+
+
+def _rotation(sweep: Any, structure: Structure, peak: Any, slope: float) -> tuple[Any, Any]:
+    """The largest rotation of each motion, and that over the overturning angle or the barrier.
+
+    peak : of the coordinates that turn; of bodies in space the tilt, where the sweep has it.
+    """
+    if "maximum_quantity" in sweep:
+        rotation = sweep["maximum_quantity"].sel(quantity=TILT).values
+        return rotation, 1.0 - sweep["minimum_quantity"].sel(quantity=RESERVE).values
+    rotation = peak.max("state").values
+    if structure.overturning_angles is None:
+        return rotation, np.full(rotation.shape, np.nan)
+    theta = structure.module.STATES[structure.module.ROTATION]
+    ratios = (
+        rotation_ratio(structure, sweep[name].sel(state=theta).values, slope)
+        for name in ("minimum", "maximum")
+    )
+    return rotation, np.maximum(*map(np.abs, ratios))
+
+
+def _tilts(structure: Structure) -> list[str]:
+    """The coordinates of a structure in space that turn with a tilt."""
+    units = zip(structure.states, structure.module.STATE_UNITS, strict=True)
+    names = [name for name, unit in units if unit == "rad" and name != "yaw"]
+    return [TILT] if TILT in names else names
 
 
 def _bodies(structure: Structure) -> list[str]:
@@ -337,10 +380,23 @@ def _at(
     fell = [one.fell for one in answered]
     lower, upper = 0.0, 1.0
     if rows:
-        lower, upper = proportion_interval_by_group(fell, conditions.recordings[rows], level)
+        by_group = _by_parts if conditions.azimuths else proportion_interval_by_group
+        lower, upper = by_group(fell, conditions.recordings[rows], level)
     room = max((one.room for one in answered if one.room >= 0.0), default=np.nan)
     lifted = sum(one.lifts for one in answered)
     return AtIntensity(pga, lifted, sum(fell), len(rows), lower, upper, room)
+
+
+def _by_parts(fell: list[bool], recording: np.ndarray, level: float) -> tuple[float, float]:
+    """Bounds of a probability by the part of the motions of each recording that fell.
+
+    Clopper and Pearson's of the sum of the parts, as if so many recordings had fallen: that of
+    recordings all or none of whose motions fall, which spread the most of all with such a mean.
+    """
+    hits = np.array(fell, dtype=float)
+    parts = [hits[recording == one].mean() for one in np.unique(recording)]
+    lower, upper = proportion_interval(min(sum(parts), len(parts)), len(parts), level)
+    return float(lower), float(upper)
 
 
 def fitted(

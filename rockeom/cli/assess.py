@@ -8,9 +8,10 @@ from typing import Any
 from rockeom.assessment.assess import assess, by_recording
 from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
-from rockeom.cli.motions import SETS, accelerations, add_records, records
+from rockeom.cli.motions import SETS, accelerations, add_records, records_for
 from rockeom.cli.simulate import add_slope, impact_law
 from rockeom.cli.text.options import add_number, add_words
+from rockeom.integrator.schema import in_space
 from rockeom.motion.floor import floor_motion
 
 DESCRIPTION = """\
@@ -34,6 +35,8 @@ examples:
       --pga 0.2g 0.4g 0.6g --friction 0.5 --out rack.html
   rockeom assess rigid_block --set width=0.5 height=1.8 centroid_height=0.7 \\
       --motion one.AT2 other.AT2 --out statue.html
+  rockeom assess prism --set width=0.5 depth=0.7 height=3.0 mass=2000 --motion records \\
+      --pga 0.3g 0.5g --azimuths 8
 """
 
 
@@ -47,6 +50,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "coefficient of friction below the feet; without it sliding is not judged",
     )
     add_slope(parser)
+    parser.add_argument(
+        "--azimuths", nargs="+", metavar="ANGLE",
+        help="of a structure in space: 0deg 30deg, or how many; 45 degrees apart if not given",
+    )  # fmt: skip
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     parser.add_argument(
         "--units-checked", action="store_true", help="give a verdict though a unit is in doubt"
@@ -82,14 +89,19 @@ def run(args: argparse.Namespace) -> int:
     if args.out is not None:
         check_page(args.out)  # before the simulations, not after
     pga = None if args.pga is None else accelerations(args.pga, "--pga")
-    motions = records(args)
+    motions: Any = records_for(structure, args)
     print(f"simulating {len(motions)} record{'s' * (len(motions) > 1)} ...", file=sys.stderr)
-    shaking: Any = motions.recordings() if args.components == "all" else by_recording(motions)
+    turns: Any = args.azimuths
+    if turns and turns[0].isdecimal() and not turns[1:]:
+        turns = int(turns[0])
+    shaking = motions
+    if not in_space(structure.module):
+        shaking = motions.recordings() if args.components == "all" else by_recording(motions)
     if args.floor:
         shaking = [floor_motion(x, args.floor, height=args.floor_height) for x in shaking]
     answer = assess(
         structure, shaking, pga=pga, friction=args.friction, impact=law, level=args.level,
-        units_checked=args.units_checked, slope=args.slope,
+        units_checked=args.units_checked, slope=args.slope, azimuths=turns,
     )  # fmt: skip
     print(str(answer).replace(UNITS_CHECKED, "--units-checked"))
     if args.out is not None:

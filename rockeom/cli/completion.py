@@ -10,8 +10,8 @@ import shtab
 from rockeom.cli.motions import PULSES
 from rockeom.cli.simulate import LAWS
 from rockeom.cli.thesis.numbers import NUMBERS
+from rockeom.modelling import named
 from rockeom.modelling.declared import module_of
-from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of, takes_support
 from rockeom.motion import library, units
 from rockeom.numbers.checks import InputError
 from rockeom.structures.classes import SHIPPED
@@ -78,7 +78,7 @@ def _words(command: str, dest: str, names: Iterable[str | None]) -> Iterable[str
     if dest in of_argument:
         return of_argument[dest]()
     if "NAME" in names:
-        return SHIPPED if command == "generate" else (*SHIPPED, *FAMILIES)
+        return SHIPPED if command == "generate" else (*SHIPPED, *named.FAMILIES, *named.IN_SPACE)
     if "KIND" in names:
         numbers = (f"{n}=" for _, must, may in PULSES.values() for n in sorted(must | may))
         return (*PULSES, *numbers)
@@ -104,16 +104,16 @@ def _words_of_records() -> Iterable[str]:
 
 def _supports() -> Iterator[str]:
     """Supports, and the parameters of all of them."""
-    for support in SUPPORTS:
+    for support in named.SUPPORTS:
         yield f"support={support}"
-        yield from (f"{name}=" for name in parameters_of(support))
+        yield from (f"{name}=" for name in named.parameters_of(support))
 
 
 def _parameters() -> Iterator[str]:
     """Parameters of all structures, and their supports."""
-    for of in (*SHIPPED.values(), *FAMILIES.values()):
+    for of in map(named.class_named, (*SHIPPED, *named.FAMILIES, *named.IN_SPACE)):
         yield from (f"{name}=" for name in of.defaults() if name != "support")
-        yield from _supports() if takes_support(of) else ()
+        yield from _supports() if named.takes_support(of) else ()
 
 
 def _states() -> Iterable[str]:

@@ -12,13 +12,12 @@ from rockeom.analysis.sweeps import exceedances
 from rockeom.assessment.words import plural
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
-from rockeom.cli.motions import SETS, accelerations, add_records, records
+from rockeom.cli.motions import SETS, accelerations, add_records, records_for
 from rockeom.cli.output import csv_of
-from rockeom.cli.simulate import check_folder, impact_law
+from rockeom.cli.simulate import add_azimuth, check_folder, impact_law
 from rockeom.cli.text.options import add_number, add_words
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
-from rockeom.motion import GroundMotion
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import near
 from rockeom.plots.sweeps import fragility_curve
@@ -54,6 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_structure(parser)
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     add_number(parser, "--duration", "S", "of each simulation [s]")
+    add_azimuth(parser)
     add_records(parser)
     intensity = parser.add_argument_group("intensities (one of the first two)")
     one = intensity.add_mutually_exclusive_group(required=True)
@@ -97,12 +97,12 @@ def run(args: argparse.Namespace) -> int:
     quantities = () if args.demand in (None, *structure.states) else (args.demand,)
     if args.out is not None:
         check_folder(args.out)
-    motions = records(args)
+    motions = records_for(structure, args)
 
-    def case(motion: GroundMotion, **level: float) -> Case:
+    def case(motion: Any, **level: float) -> Case:
         wanted: dict[str, Any] = {name: x * STANDARD_GRAVITY for name, x in level.items()}
         scaled = motion.scaled_to(**wanted, period=args.period)
-        return Case(structure, scaled, law, duration=args.duration)
+        return Case(structure, scaled, law, duration=args.duration, azimuth=args.azimuth)
 
     about = {"units": "g", "long_name": intensity.meaning}
     levels = xr.DataArray(intensity.values, dims=intensity.name, attrs=about)

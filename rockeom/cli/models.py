@@ -2,12 +2,13 @@
 
 import argparse
 import dataclasses
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
 from rockeom.cli.text.options import add_pairs
-from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.schema import GeneratedModule, in_space
 from rockeom.modelling import named
 from rockeom.modelling.declared import module_of
 from rockeom.numbers.checks import InputTypeError
@@ -102,6 +103,8 @@ def made(args: argparse.Namespace, **others: Any) -> Structure:
         ) from None
 
 
+_MOST_MODES = 64
+"""Modes that are listed."""
 _FULL = frozenset({"width", "height", "centroid_height", "offset"})
 """Full dimensions of a block, by which it may be given as well."""
 
@@ -129,6 +132,8 @@ def _list() -> str:
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
         rows.append((name, (of.__doc__ or "").partition(",")[0]))
         notes.append(f"  {name} takes {arguments}, and is derived for each")
+    rows += [(n, _title(_module(named.class_named(n), {}))) for n in named.IN_SPACE]
+    notes.append(f"  {', '.join(named.IN_SPACE)} move in space, under all three components")
     standing = [n for n, s in {**SHIPPED, **named.FAMILIES}.items() if named.takes_support(s)]
     notes += [f"  {', '.join(standing)} take a support:"]
     notes += [f"    {line}" for line in _aligned(_supports())]
@@ -159,11 +164,14 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
     module = _module(of, arguments)
     half = len(module.STATES) // 2
     units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
+    modes = [*module.MODES]
+    if len(modes) > _MOST_MODES:  # of feet in space, each in one of several ways
+        modes[4:] = [f"... {len(modes)} in all"]
     facts = [
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
-        ("modes", ", ".join(module.MODES)),
+        ("modes", ", ".join(modes)),
         ("impact laws", _laws(module)),
         ("equations", _where_derived(of.model, arguments)),
     ]
@@ -173,7 +181,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
             "",
             *_aligned(facts),
             "",
-            *_aligned(_parameters(of, module)),
+            *_aligned(_documented(of) if in_space(module) else _parameters(of, module)),
             *_by_dimensions(of),
             *_of_support(of, module, arguments),
         ]
@@ -228,6 +236,20 @@ def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str,
         if default_value is None:
             default = "zero" if name in of.of_each else "as a homogeneous block"
         rows.append((name, unit, default, meaning))
+    return rows
+
+
+def _documented(of: type[Structure]) -> list[tuple[str, str, str, str]]:
+    """The same of a class in space, whose docstring says what it makes the parameters of."""
+    from docstring_parser.numpydoc import parse  # slow to import
+
+    rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
+    for item in parse(of.__doc__ or "").params:
+        said, default = " ".join((item.description or "").split()), of.defaults()[item.arg_name]
+        unit = re.search(r" \[(.+?)\]", said)
+        shown = "required" if default is dataclasses.MISSING else str(default)
+        unit_shown, meaning = (unit[1], said.replace(unit[0], "")) if unit else ("-", said)
+        rows.append((item.arg_name, unit_shown, "as said" if default is None else shown, meaning))
     return rows
 
 

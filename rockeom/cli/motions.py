@@ -8,10 +8,13 @@ from typing import Any
 
 from rockeom.cli.errors import UsageError, spread, words
 from rockeom.cli.text.options import add_number, add_words
+from rockeom.integrator.schema import in_space
 from rockeom.motion import GroundMotion, MotionSet, units
 from rockeom.motion.ground_motion import every_component
+from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import COMPONENTS, by_name, chosen
 from rockeom.numbers.checks import InputError, near, positive_number
+from rockeom.structures.base import Structure
 from rockeom.structures.parameters import check_names
 
 PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
@@ -47,17 +50,17 @@ def add_motion(group, required: bool = True) -> None:
     """The options that `motions` reads."""
     one = group.add_mutually_exclusive_group(required=required)
     one.add_argument(
-        "--motion",
-        metavar="FILE",
-        help="a recorded acceleration: a file of a network, PEER .AT2, or two columns",
-    )
+        "--motion", nargs="+", metavar="FILE",
+        help="a recorded acceleration: a file of a network, PEER .AT2, or two columns; in space "
+        "all its components, or the files of all: x, y, upwards",
+    )  # fmt: skip
     add_words(one, "--pulse", ("KIND", "NAME=VALUE"), "a pulse by formula, see below")
     add_words(
         one,
         "--record",
         "WORD",
-        "a record of the library by words of its name, as El Centro 1940 180; `rockeom "
-        "records` lists all",
+        "a record of the library by words of its name, as El Centro 1940 180, in space a recording "
+        "by those of all its components; `rockeom records` lists all",
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
     group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
@@ -75,7 +78,8 @@ def add_records(parser: argparse.ArgumentParser) -> Any:
     group.add_argument(
         "--components",
         choices=COMPONENTS,
-        help="of records by words, of a folder, of files of several; horizontal if not given",
+        help="of records by words, of a folder, of files of several; horizontal if not given, of "
+        "structures in space all",
     )
     add_component(group)
     add_files(group)
@@ -137,6 +141,44 @@ def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None
     return _times(motion, factor, args), vertical and _times(vertical, factor, args)
 
 
+def shaking(
+    args: argparse.Namespace,
+) -> tuple[GroundMotion | Recording, GroundMotion | None]:
+    """The same of a structure in space: all components of a recording, or one, and a vertical one.
+
+    All are scaled alike, recordings by the geometric mean of both horizontal components.
+    """
+    one = _recording(args)
+    if one is None or (one.vertical is None and len(one.horizontal) == 1):
+        args.motion = args.motion and args.motion[:1]
+        return motions(args)
+    if args.vertical is not None:
+        raise UsageError(
+            f"--vertical {args.vertical}: {one.name} has several components: leave it out"
+        )
+    timed, factor = one.scaled(time=args.time_scale), _factor(one.horizontal[0], args)
+    if args.pga is None and args.sa is None:
+        return timed.scaled(factor), None
+    option, wanted = ("--pga", args.pga) if args.sa is None else ("--sa", args.sa)
+    asked: Any = {option[2:]: acceleration(wanted, option), "period": args.period}
+    return timed.scaled_to(**asked), None
+
+
+def _recording(args: argparse.Namespace) -> Recording | None:
+    """The components that the options name; None for one alone, and for a pulse."""
+    if args.record is not None:
+        _check_no_files(args)
+        return Recording.from_library(" ".join(args.record))
+    if args.motion is None or args.component is not None:
+        return None
+    if not _of_columns(args):
+        return Recording.read(*args.motion, units=args.units)
+    if len(args.motion) > 3:
+        raise UsageError(f"--motion has {len(args.motion)} files: name those of x, y and upwards")
+    read = [from_file(path, args) for path in args.motion]
+    return Recording(read[0].name, tuple(read[:2]), *read[2:])
+
+
 def scaled(motion: GroundMotion, args: argparse.Namespace) -> GroundMotion:
     """The motion as the options of `add_scale` say."""
     return _times(motion, _factor(motion, args), args)
@@ -185,6 +227,15 @@ def accelerations(texts: Sequence[str], option: str) -> list[float]:
     read = partial(acceleration, option=option)
     example = f"{option} 0.1g:1.0g:10 or {option} 0.2g 0.4g 0.8g"
     return [x for one in texts for x in spread(one, f"{option} {one}", example, read)]
+
+
+def records_for(structure: Structure, args: argparse.Namespace) -> Sequence[Any]:
+    """The motions of the options of `add_records`; recordings of a structure in space."""
+    if not in_space(structure.module):
+        return records(args)
+    if args.component is None:
+        args.components = args.components or "all"
+    return records(args).recordings()
 
 
 def records(args: argparse.Namespace) -> MotionSet:
@@ -279,7 +330,9 @@ def _check_no_files(args: argparse.Namespace) -> None:
 
 def _horizontal(args: argparse.Namespace) -> GroundMotion:
     if args.motion is not None:
-        return from_file(args.motion, args)
+        if len(args.motion) > 1:
+            raise UsageError(f"--motion has {len(args.motion)} files: in a plane one is horizontal")
+        return from_file(args.motion[0], args)
     if args.record is not None:
         return GroundMotion.from_library(" ".join(args.record))
     if args.free:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.files import write
+from rockeom.integrator.schema import in_space
 from rockeom.motion import GroundMotion
 from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
@@ -19,6 +20,7 @@ from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.response import Response
 from rockeom.simulation.tables import units_with_time
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.positions import DIRECTION, RESERVE, TILT
 from rockeom.structures.slope import uplift_accelerations
 from rockeom.structures.units import main_units
 from rockeom.version import VERSION
@@ -66,7 +68,7 @@ def write_csv(run: Response, path: Path) -> None:
     The instant of a jump has two rows, before and after.
     """
     unit = units_with_time(run.structure.module, run.units)
-    names = [*main_units(run.structure.module)]
+    names = _columns(run)
     columns = [run.t, *(run[name] for name in names)]
     header = [
         f"t [{unit['t']}]",
@@ -80,6 +82,13 @@ def write_csv(run: Response, path: Path) -> None:
     write(path, csv_of([header, *rows]))
 
 
+def _columns(run: Response) -> list[str]:
+    """Names of the quantities that are written."""
+    names = [*main_units(run.structure.module)]
+    leans = (TILT, DIRECTION, RESERVE) if in_space(run.structure.module) else ()
+    return [*names, *(name for name in leans if name in run.units and name not in names)]
+
+
 def csv_of(rows: Iterable[Iterable[Any]]) -> str:
     """Rows as the text of a CSV."""
     text = io.StringIO(newline="")
@@ -89,7 +98,7 @@ def csv_of(rows: Iterable[Iterable[Any]]) -> str:
 
 def write_npz(run: Response, path: Path) -> None:
     """The same as arrays by name, in the units of the CSV; read with numpy.load."""
-    columns: dict[str, Any] = {name: run[name] for name in main_units(run.structure.module)}
+    columns: dict[str, Any] = {name: run[name] for name in _columns(run)}
     made = io.BytesIO()
     np.savez_compressed(made, t=run.t, mode=run.mode, **columns)
     write(path, made.getvalue())
@@ -114,6 +123,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "structure": {"name": run.structure.model, "parameters": run.structure.parameters()},
         "motion": _motion(run.motion),
         "vertical": None if run.vertical is None else _motion(run.vertical),
+        **(_in_space(run) if in_space(run.structure.module) else {}),
         "impact": repr(law or run.structure.default_impact) if run.structure.has_impacts else None,
         "initial": dict(initial),
         "outcome": str(run.outcome),
@@ -139,8 +149,18 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
     }
 
 
+def _in_space(run: Response) -> dict[str, Any]:
+    """The ground in space, and how far the structure leaned."""
+    across = None if run.transverse is None else _motion(run.transverse)
+    tilt = dict(zip(("value", "time"), peak(run, TILT), strict=True))
+    return {"transverse": across, "azimuth": run.azimuth, "tilt": tilt | {"unit": "rad"}}
+
+
 def _reserve(run: Response) -> dict[str, Any] | None:
     """The largest theta/alpha, its side, and the part of the overturning angle that was left."""
+    if RESERVE in run.units:
+        least = run.extremes(RESERVE)
+        return {"reserve": max(least.minimum, 0.0), "time": least.minimum_time}
     rotation = run.extremes(run.states[run.structure.module.ROTATION])
     reserve = reserve_of(run.structure, rotation, run.slope)
     return None if reserve is None else {**reserve._asdict(), "reserve": reserve.reserve}

@@ -3,13 +3,15 @@
 import argparse
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
-from rockeom.cli.motions import add_motion, motions
+from rockeom.cli.motions import add_motion, motions, shaking
 from rockeom.cli.text.options import add_number, add_pairs
 from rockeom.files import check_target
+from rockeom.integrator.schema import in_space
 from rockeom.motion.slope import AXES, SLOPE
 from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case
@@ -99,6 +101,7 @@ def add_case(parser: argparse.ArgumentParser) -> None:
     )
     add_number(parser, "--duration", "S", "of the simulation [s]")
     add_slope(parser)
+    add_azimuth(parser)
     parser.add_argument(
         "--ground-axes", choices=AXES, default=SLOPE,
         help="those of the ground motions: along and normal to the slope, or level and upright",
@@ -154,10 +157,20 @@ def case(args: argparse.Namespace) -> Case:
     structure = made(args)
     initial = numbers(args.initial, "--initial", "theta=0.1")
     law = impact_law(args.impact)
-    motion, vertical = motions(args)
+    motion: Any  # a recording, too
+    motion, vertical = (shaking if in_space(structure.module) else motions)(args)
     start = initial or None  # none: at rest in equilibrium, on a slope
-    sloping = {"slope": args.slope, "ground_axes": args.ground_axes}
-    return Case(structure, motion, law, start, args.duration, vertical, **sloping)
+    of_ground = {"slope": args.slope, "ground_axes": args.ground_axes, "azimuth": args.azimuth}
+    return Case(structure, motion, law, start, args.duration, vertical, **of_ground)
+
+
+def add_azimuth(parser: argparse.ArgumentParser) -> None:
+    """The option for structures in space that are turned."""
+    parser.add_argument(
+        "--azimuth", metavar="ANGLE", default=0.0,
+        help="of the x axis of a structure in space from the first horizontal component, "
+        "counter-clockwise seen from above: 30deg, or 0.5rad",
+    )  # fmt: skip
 
 
 def add_slope(parser: argparse.ArgumentParser) -> None:

@@ -13,11 +13,12 @@ from rockeom.cli.errors import spread, words
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import add_case, case, check_folder
 from rockeom.cli.text.options import add_pairs
-from rockeom.drawing.style import save_figure
+from rockeom.drawing.style import INK, new_axes, save_figure
 from rockeom.files import write
 from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
+from rockeom.structures.positions import RESERVE, TILT, has_barrier
 from rockeom.structures.slope import overturning_angles
 from rockeom.structures.units import with_unit
 from rockeom.sweeps.case_numbers import OtherCase
@@ -82,7 +83,8 @@ def run(args: argparse.Namespace) -> int:
         check_folder(args.out)
     n = math.prod(map(len, over.values()))
     print(f"simulating {n} motions ...", file=sys.stderr)
-    sweep = simulate_many(one, over=over, options=SolverOptions(args.method))
+    leans = (TILT, RESERVE) if has_barrier(one.structure) else ()
+    sweep = simulate_many(one, over=over, quantities=leans, options=SolverOptions(args.method))
     print(_counted(sweep, one))
     if args.out is not None:
         for path in _write(sweep, one, args):
@@ -133,6 +135,13 @@ def _picture(sweep: xr.Dataset, one: Case) -> Figure | None:
         print("no picture: it would need more than two axes", file=sys.stderr)
         return None
     (name,) = names
+    if "quantity" in sweep.dims:
+        figure, ax = new_axes(5.6, 3.5)
+        ratio = 1.0 - sweep["minimum_quantity"].sel(quantity=RESERVE)
+        ax.plot(sweep[name], np.minimum(ratio, 1.1), "o-")  # who fell, just above the line
+        ax.axhline(1.0, ls=":", color=INK)
+        ax.set(xlabel=name, ylabel="largest tilt over that of the barrier", ylim=(0.0, 1.2))
+        return figure
     other = OtherCase(one, (name,))
     cases = (other(**{name: x}) for x in sweep[name].values.tolist())
     angles = [overturning_angles(case.structure, case.slope) for case in cases]
@@ -151,10 +160,13 @@ def _csv(sweep: xr.Dataset) -> str:
     headings = [with_unit(name, sweep[name].attrs.get("units", "")) for name in names]
     headings += ["outcome", with_unit("final_time", sweep["final_time"].attrs.get("units", ""))]
     headings += ["impacts", *map(with_unit, [f"peak {s}" for s in states], units)]
+    leans = {"maximum_quantity": TILT, "minimum_quantity": RESERVE} if "quantity" in sweep else {}
+    headings += ["largest tilt [rad]", "least reserve"][: len(leans)]
     columns = [
         *(a.values.ravel() for a in xr.broadcast(*(sweep[name] for name in names))),
         *(sweep[name].values.ravel() for name in ("outcome", "final_time", "impacts")),
         *sweep["peak"].transpose("state", *names).values.reshape(len(states), -1),
+        *(sweep[of].sel(quantity=quantity).values.ravel() for of, quantity in leans.items()),
     ]
     rows = zip(*columns, strict=True)
     written = ([f"{x:.12g}" if isinstance(x, float) else x for x in row] for row in rows)

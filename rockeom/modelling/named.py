@@ -9,6 +9,7 @@ structure, `foundation_stiffness` and `foundation_damping` for those of a spring
 
 import dataclasses
 from collections.abc import Mapping
+from importlib import import_module
 from typing import Any
 
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
@@ -20,6 +21,12 @@ from rockeom.structures.classes import SHIPPED
 from rockeom.structures.supports import Support
 
 FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
+IN_SPACE: Mapping[str, str] = {
+    "prism": "standing.Prism",
+    "wobbling_column": "wobbling.WobblingColumn",
+    "podium": "wobbling.Podium",
+}
+"""Structures in space whose arguments are numbers, each by the home of its class."""
 SUPPORTS: Mapping[str, type[Support]] = {
     support.kind: support for support in (Pinned, TwoSprings, Winkler, Sliding)
 }
@@ -84,14 +91,17 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
 
 
 def class_named(name: str) -> type[Structure]:
-    """The class of a shipped structure or of a family.
+    """The class of a shipped structure, of a family, or in space.
 
     Raises ValueError, naming all of them, if there is none of that name.
     """
     for classes in (SHIPPED, FAMILIES):
         if name in classes:
             return classes[name]
-    every = (*SHIPPED, *FAMILIES)
+    if name in IN_SPACE:
+        home, made = IN_SPACE[name].split(".")
+        return getattr(import_module(f"rockeom.modelling.{home}"), made)
+    every = (*SHIPPED, *FAMILIES, *IN_SPACE)
     raise InputError("name", name).says(
         f"no structure named {name!r}{near(name, every)}: there are {', '.join(every)}"
     )

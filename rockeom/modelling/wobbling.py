@@ -43,6 +43,11 @@ class _RollingColumns(StructureWithFields):
         return mathematics.atan2(self.radius, self.parameters()["centroid_height"])
 
     @property
+    def symmetry_angle(self) -> float:
+        """Angle about the vertical after which it is as before [rad]: any does."""
+        return 0.0
+
+    @property
     def overturning_angles(self) -> tuple[float, float]:
         return self.alpha, self.alpha
 

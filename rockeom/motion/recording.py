@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.motion import library
 from rockeom.motion.components import azimuth_and_vertical, name_of, split
 from rockeom.motion.ground_motion import GroundMotion, every_component
 from rockeom.motion.scaling import SCALE_IN_NAME, Acceleration, multiplier, target
@@ -128,6 +129,34 @@ class Recording:
         ]
         return recording_from(name_of(paths[0]), motions)
 
+    @classmethod
+    def from_library(cls, words: str) -> Recording:
+        """All components of a station in the library, see `GroundMotion.library`.
+
+        Parameters
+        ----------
+        words : str
+            Words that the names of all its components have, and those of no other station.
+
+        Returns
+        -------
+        Recording
+            Recording, named by these words.
+
+        Raises
+        ------
+        InputError
+            If none has the words, for components of several stations, and if no extra is installed.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> recording = rk.Recording.from_library("El Centro 1940")
+        >>> len(recording.horizontal), recording.vertical.is_vertical
+        (2, True)
+        """
+        return recording_from(words, [*map(GroundMotion.from_library, library.names(words))])
+
     def in_plane(self) -> tuple[Recording, ...]:
         """Recording for each horizontal component, with the vertical one.
 
@@ -174,8 +203,8 @@ class Recording:
         if len(self.horizontal) == 1:
             raise InputError("motion").says(
                 f"the recording {self.name!r} has one horizontal component, and a structure in "
-                "space takes two: give recording.horizontal[0] as motion, and recording.vertical, "
-                "to shake it along one axis"
+                "space takes two: add the other one; its horizontal[0] and vertical, as single "
+                "motions, shake along one axis"
             )
         if fault := _fault_of_plane(self.horizontal):
             raise InputError("motion").says(
@@ -451,7 +480,19 @@ def _fault_of_plane(horizontal: Sequence[GroundMotion]) -> str:
 
 
 def _azimuth(motion: GroundMotion) -> float | None:
-    """Azimuth of a record [degrees], by its file, or by its name if it is of no network."""
+    """Azimuth of a record [degrees], by its file, or by its name if it is of no network.
+
+    A motion with the other sign, as of `-motion`, has the opposite one.
+    """
     if motion.origin is not None:
-        return motion.origin.azimuth
-    return azimuth_and_vertical(split(SCALE_IN_NAME.sub("", motion.name))[1])[0]
+        at = motion.origin.azimuth
+    else:
+        title = motion.source.partition(_TITLE)[2].split(",")
+        names = split(SCALE_IN_NAME.sub("", motion.name))[1], *reversed(title)
+        found = (azimuth_and_vertical(name)[0] for name in names)
+        at = next((one for one in found if one is not None), None)
+    return at if at is None else (at + _HALF_TURN * (motion.name[:1] == "-")) % 360
+
+
+_TITLE = "line 2: "
+"""In front of the title of a record of PEER, whose last field is its component."""

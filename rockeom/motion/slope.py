@@ -50,7 +50,7 @@ def azimuth_angle(azimuth: Any) -> Any:
     angle = _angle("azimuth", azimuth)
     if not math.isfinite(value_of(angle)):
         raise InputError("azimuth", azimuth).give(
-            'radians, or a text such as "30 deg", counter-clockwise seen from above'
+            'radians, or a text such as "30 deg" or "0.5 rad", counter-clockwise seen from above'
         )
     return angle
 

@@ -70,17 +70,17 @@ class ModeNames(ByCode):
     """
 
     def __init__(self, points: Sequence[str]) -> None:
-        self._names = tuple(points)
+        self.points = tuple(points)
         super().__init__(len(points), self._name)
 
     def _name(self, digits: tuple[int, ...]) -> str:
-        words = (name + _WORDS[d] for name, d in zip(self._names, digits, strict=True) if d)
+        words = (name + _WORDS[d] for name, d in zip(self.points, digits, strict=True) if d)
         return "_".join(words) or _FLIGHT
 
     def index(self, value: Any, *_: Any) -> int:
         """The mode of that name; ValueError where there is none."""
         parts = "".join(
-            f"(?:{re.escape(name)}({'|'.join(_WORDS.values())})_)?" for name in self._names
+            f"(?:{re.escape(name)}({'|'.join(_WORDS.values())})_)?" for name in self.points
         )
         match = re.fullmatch(parts, "" if value == _FLIGHT else f"{value}_")
         if match is None or not value:

@@ -306,7 +306,7 @@ class Case:
         name, spatial = type(self.structure).__name__, in_space(self.structure.module)
         given_of = {"transverse": self.transverse is not None, "azimuth": self.azimuth != 0.0}
         for argument in [] if spatial else [one for one, is_given in given_of.items() if is_given]:
-            raise InputError(argument).says(f"{name} moves in a plane: leave it out")
+            raise InputError(argument).says(f"{name} moves in a plane: leave {{{argument}}} out")
         if spatial and not self.ground.is_level:
             raise InputError("slope", self.slope).says(
                 f"{name} moves in space, and its ground is level: leave the slope out"

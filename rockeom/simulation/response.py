@@ -452,9 +452,10 @@ class Response:
         sloping = f" on a slope of {with_degrees(self.slope, 'rad')}" if self.slope else ""
         if self.azimuth:
             sloping = f" at an azimuth of {with_degrees(self.azimuth, 'rad')}"
+        across = "" if self.transverse is None else f" with {self.transverse.name} across"
         lines = [
             f"{type(self.structure).__name__}{sloping} under "
-            f"{self.motion.name or 'a ground motion'}, "
+            f"{self.motion.name or 'a ground motion'}{across}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}{self._why()}",
         ]
@@ -653,6 +654,7 @@ class Response:
             motion=self.motion.name,
             outcome=str(self.outcome),
             duration=self.duration,
+            **({"azimuth": self.azimuth} if self.azimuth else {}),
             **{n: self.statistics[n] for n in ("method", "impact_law") if n in self.statistics},
         )
 

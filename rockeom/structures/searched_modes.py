@@ -520,7 +520,8 @@ def mode_under_forces(
     """
     if not len(module.POINTS):
         return mode
-    follows = _searching(module)["fits_by_forces"](mode, y, p, ground)
+    with np.errstate(all="ignore"):  # candidates that fit no forces, as in machine code
+        follows = _searching(module)["fits_by_forces"](mode, y, p, ground)
     if follows < 0:
         none = "no" if follows == codes.IMPOSSIBLE else "more than one"
         raise InputError("state").says(

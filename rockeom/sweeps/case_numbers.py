@@ -181,8 +181,13 @@ class OtherCase:
 
     def __call__(self, **values: Any) -> Case:
         parts = {name: x for name, x in values.items() if name in PARTS}
-        if isinstance(parts.get("motion"), Recording):  # which is both motions
+        motion = parts.get("motion")
+        if isinstance(motion, Recording):  # which is both motions
             parts = {"vertical": None, "transverse": None} | parts
+        elif motion is not None and self.case.transverse is not None and "transverse" not in parts:
+            raise InputError("over", "motion").so(
+                "the transverse one of the case would join it: give MotionSet.recordings()"
+            )
         case = replace(self.case, **parts) if parts else self.case
         changes = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
         return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in changes])

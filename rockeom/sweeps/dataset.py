@@ -13,6 +13,7 @@ from rockeom.codes import OUTCOMES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, near
+from rockeom.numbers.mode_codes import rows_of
 from rockeom.numbers.pictures import picture
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
@@ -186,7 +187,8 @@ class Labels:
     def of_cases(self, results: Results) -> dict[str, Any]:
         """Variables that the compiled loop gives of every case."""
         ran = results.outcome != NOT_RUN
-        modes, flags = np.array([*self.modes, ""]), flags_of(results.outcome)
+        flags = flags_of(results.outcome)
+        modes = np.where(ran, rows_of(self.modes, np.where(ran, results.mode, 0)), "")
         gains, gained = results.gains[:, 0].astype(np.int64), results.gains[:, 1]
         states = self.states
         peaks = np.where(ran[:, None, None], results.peaks, np.nan)
@@ -195,7 +197,7 @@ class Labels:
             "outcome": self.shaped(np.array(_LABELS)[flags], "outcome"),
             "outcome_flag": self.shaped(flags, "outcome", **FLAGS),
             "final_time": self.shaped(results.final_time, "time at the end", units=self.seconds),
-            "final_mode": self.shaped(modes[np.where(ran, results.mode, -1)], "mode at the end"),
+            "final_mode": self.shaped(modes, "mode at the end"),
             "impacts": self.shaped(results.impacts, "number of impacts", units="1"),
             "impact_gains": self.shaped(gains, "number of impacts that gained energy", units="1"),
             "impact_energy_gained": self.shaped(

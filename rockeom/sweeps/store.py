@@ -28,6 +28,7 @@ from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import InputError, installed_by, is_number
+from rockeom.numbers.mode_codes import ModeNames
 from rockeom.sweeps.cases import Cases, Source, labels as labels_of
 from rockeom.sweeps.dataset import FLAGS, PENDING, Labels, Sweep, dataset, flags_of, outcomes_of
 from rockeom.sweeps.results import NOT_RUN, Results
@@ -163,6 +164,8 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
             )
         values = here.values.tolist() if here.dtype.kind in "OT" else here.values
         coordinates[name] = here.dims, values, here.attrs
+    if isinstance(about["modes"], dict):
+        about = about | {"modes": ModeNames(about["modes"]["points"])}
     labels = Labels(**about | {"coordinates": coordinates})
     facts: Any = group.attrs["rockeom_sweep"]
     results = Results.empty(
@@ -238,6 +241,8 @@ def _make(
     beside = path.with_name(f"{path.name}.{uuid.uuid4().hex}.partial")
     coordinates = labels.variables(results)[1]
     about = {**vars(labels), "coordinates": [*coordinates]}
+    if isinstance(labels.modes, ModeNames):  # far too many, made of few words
+        about["modes"] = {"points": labels.modes.points}
     seconds: dict[str, Any] = {"units": labels.seconds}
     flags = {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
     of = {"outcome": flags, "final_time": seconds, "times": seconds}

@@ -1,10 +1,14 @@
 """A record, an azimuth, and what a response says: tilt, its direction, the reserve, friction."""
 
+import json
+
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.optimize import minimize_scalar
 
 import rockeom as rk
+from rockeom.cli import main
 from tests.space.bodies import oriented
 from tests.space.test_standing import EL_CENTRO, TRIPOD
 
@@ -117,7 +121,7 @@ X = RECORDING.horizontal[0]
         (STATUE, RECORDING, {"vertical": X}, "vertical is given along with the recording"),
         (STATUE, X, {"azimuth": "north"}, 'radians, or a text such as "30 deg"'),
         (STATUE, X, {"azimuth": np.inf}, "azimuth is inf"),
-        (BLOCK, X, {"azimuth": 0.3}, "RigidBlock moves in a plane: leave it out"),
+        (BLOCK, X, {"azimuth": 0.3}, "RigidBlock moves in a plane: leave azimuth= out"),
         (BLOCK, RECORDING, {}, "a plane structure takes one"),
     ],
 )
@@ -416,3 +420,169 @@ def test_what_has_no_derivative_is_refused():
     case = rk.Case(STATUE, RECORDING, duration=1.0, initial=LEANS)
     with pytest.raises(ValueError, match="there are derivatives of"):
         rk.sensitivity(case, of=["peak north_east_reaction"], to=["azimuth"])
+
+
+# -- sets and files of recordings ------------------------------------------------------------------
+
+
+def peer_file(path, title: str, values) -> None:
+    lines = [
+        "PEER NGA STRONG MOTION DATABASE RECORD",
+        title,
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+    ]
+    lines += [f"NPTS= {len(values)}, DT= {DT:.4f} SEC", *(f"{x:.9E}" for x in values)]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Files of two stations, in the names of which there is no azimuth, as their titles have it."""
+    place = tmp_path_factory.mktemp("records")
+    for number, station in ((1, "STA"), (2, "STB")):
+        for end, component in (("-hor1", "180"), ("-hor2", "270"), ("-UP", "UP")):
+            values = number * 0.02 * np.roll(PUSH, len(component) + number)
+            title = f"Somewhere, 1/1/2001, {station}, {component}"
+            peer_file(place / f"RSN{number}_QUAKE_{station}{end}.AT2", title, values)
+    return place
+
+
+def test_a_folder_gives_recordings_whose_titles_tell_which_way_they_turn(folder):
+    one, other = rk.MotionSet.from_folder(folder, components="all").recordings()
+    for recording in (one, 2.0 * other):
+        first, second = recording.in_space()
+        assert first.name[0] != "-"
+        assert second.name[0] == "-"  # 270 is clockwise of 180
+        np.testing.assert_array_equal(-second.samples, recording.horizontal[1].samples)
+    again = rk.Recording("mirrored before", one.in_space(), one.vertical)
+    assert again.in_space() == one.in_space()
+
+
+def test_a_recording_of_the_library_is_that_of_its_components():
+    recording = rk.Recording.from_library("El Centro 1940")
+    assert {*recording.horizontal} == {*EL_CENTRO[:2]}
+    assert recording.vertical == EL_CENTRO[2]
+    with pytest.raises(rk.InputError, match="several recordings"):
+        rk.Recording.from_library("El Centro")
+
+
+def test_a_sweep_joins_no_components_of_different_recordings(folder):
+    motions = rk.MotionSet.from_folder(folder, components="all")
+    case = rk.Case(STATUE, motions.recordings()[0])
+    with pytest.raises(rk.InputError, match=r"MotionSet.recordings\(\)"):
+        rk.simulate_many(case, over={"motion": motions})
+
+
+def test_a_store_of_a_sweep_in_space_is_read_as_it_was_made(tmp_path, folder):
+    recordings = rk.MotionSet.from_folder(folder, components="all").recordings()
+    case = rk.Case(STATUE, recordings[0], initial=LEANS, duration=1.0)
+    over = {"motion": recordings, "azimuth_degrees": [0.0, 40.0]}
+    plain = rk.simulate_many(case, over=over, quantities=["reserve"])
+    for _ in range(2):  # made, and read
+        stored = rk.simulate_many(
+            case, over=over, quantities=["reserve"],
+            sweep_options=rk.SweepOptions(store=tmp_path / "store"),
+        )  # fmt: skip
+        assert stored.identical(plain)
+    plain.to_netcdf(tmp_path / "sweep.nc")
+    with xr.open_dataset(tmp_path / "sweep.nc") as read:
+        assert read.motion.values.tolist() == [one.name for one in recordings]
+        np.testing.assert_array_equal(read.minimum_quantity, plain.minimum_quantity)
+        np.testing.assert_array_equal(read.final_mode, plain.final_mode)
+
+
+# -- on the command line ---------------------------------------------------------------------------
+
+SET = ["--set", "width=0.5", "depth=0.7", "height=3.0", "mass=2000"]
+
+
+def command(capsys, *words) -> tuple[int, str]:
+    code = main([str(word) for word in words])
+    said = capsys.readouterr()
+    return code, " ".join((said.out + said.err).split())
+
+
+def test_simulate_takes_all_components_of_files_and_of_the_library(folder, tmp_path, capsys):
+    files = [folder / f"RSN1_QUAKE_STA{end}.AT2" for end in ("-hor1", "-hor2", "-UP")]
+    more = ["--azimuth", "40deg", "--pga", "0.3g", "--out", tmp_path / "out", "--format", "npz"]
+    code, said = command(capsys, "simulate", "prism", *SET, "--motion", *files, *more)
+    assert code == 0
+    assert "at an azimuth of 0.6981 rad (40 degrees)" in said
+    recording = rk.Recording.read(*files)
+    run = rk.simulate(STATUE, recording.scaled_to(pga="0.3 g"), azimuth="40 deg")
+    assert f"Largest tilt: {run.extremes('tilt').maximum:.4g} rad" in said
+    with np.load(tmp_path / "out" / "response.npz") as written:
+        assert written["tilt"].max() == pytest.approx(run["tilt"].max(), rel=1e-6)
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["azimuth"] == pytest.approx(np.radians(40.0))
+    assert summary["transverse"]["name"].startswith("-RSN1")
+    assert summary["reserve"]["reserve"] == pytest.approx(run.extremes("reserve").minimum)
+    more = ["--record", "El", "Centro", "1940", "--duration", "2", "--acceleration-scale", "1.5"]
+    code, said = command(capsys, "simulate", "prism", *SET, *more)
+    assert code == 0
+    run = rk.simulate(STATUE, RECORDING, duration=2.0)
+    assert f"Largest tilt: {run.extremes('tilt').maximum:.4g} rad" in said
+
+
+def test_columns_of_text_are_x_y_and_upwards(tmp_path, capsys):
+    files = [tmp_path / f"{name}.txt" for name in "xyz"]
+    for k, file in enumerate(files):
+        np.savetxt(file, (k + 1) * PUSH)
+    more = ["--motion", *files, "--dt", DT, "--units", "m/s2"]
+    code, said = command(capsys, "simulate", "prism", *SET, *more)
+    x, y, up = (rk.GroundMotion.from_array((k + 1) * PUSH, dt=DT) for k in range(3))
+    run = rk.simulate(STATUE, x, transverse=y, vertical=up)
+    assert code == 0
+    assert f"Largest tilt: {run.extremes('tilt').maximum:.4g} rad" in said
+
+
+def test_sweep_and_assess_turn_the_structure(folder, tmp_path, capsys):
+    files = [folder / f"RSN2_QUAKE_STB{end}.AT2" for end in ("-hor1", "-hor2", "-UP")]
+    more = ["--pga", "0.3g", "--over", "azimuth_degrees=0,40,80", "--out", tmp_path / "sweep"]
+    code, said = command(capsys, "sweep", "prism", *SET, "--motion", *files, *more)
+    assert code == 0
+    rows = (tmp_path / "sweep" / "sweep.csv").read_text(encoding="utf-8").splitlines()
+    assert rows[0].endswith("largest tilt [rad],least reserve")
+    recording = rk.Recording.read(*files).scaled_to(pga="0.3 g")
+    run = rk.simulate(STATUE, recording, azimuth="40 deg")
+    assert float(rows[2].split(",")[-1]) == pytest.approx(run.extremes("reserve").minimum)
+    assert (tmp_path / "sweep" / "sweep.png").exists()
+    more = ["--pga", "0.3g", "--azimuths", "0deg", "40deg"]
+    code, said = command(capsys, "assess", "prism", *SET, "--motion", folder, *more)
+    assert code == 0
+    assert "under 2 records" in said
+    assert "at 2 azimuths, from 0 degrees to 40 degrees" in said
+    assert "Vertical shaking: that of 4 of 4 motions" in said
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("simulate prism SET --record El Centro 1940 --azimuth 30", '--azimuth is \'30\''),
+        ("simulate rigid_block BLOCK --record El Centro 1940 180 --azimuth 30deg",
+         "RigidBlock moves in a plane: leave --azimuth out"),
+        ("simulate rigid_block BLOCK --motion a.at2 b.at2", "--motion has 2 files"),
+        ("simulate prism SET --record El Centro 1940 --slope 5deg", "its ground is level"),
+        ("assess prism SET --records El Centro 1940 180 --pga 0.3g", "takes two: add the other"),
+        ("assess rigid_block BLOCK --records El Centro 1940 180 --azimuths 4",
+         "it moves in a plane: leave them out"),
+        ("explore prism SET --free --duration 2 --vary width=0.4..0.6 --out page.html",
+         "pages show the plane"),
+    ],
+)  # fmt: skip
+def test_commands_say_what_to_type_instead(words, said, capsys):
+    block = ["--set", "half_width=0.25", "half_height=1.5"]
+    typed = [w for word in words.split() for w in {"SET": SET, "BLOCK": block}.get(word, [word])]
+    code, printed = command(capsys, *typed)
+    assert code == 2
+    assert said in printed
+
+
+def test_models_explains_a_prism_in_few_lines(capsys):
+    code, _ = command(capsys, "models")
+    assert code == 0
+    assert main(["models", "prism"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) < 160
+    for name in rk.Prism.defaults():
+        assert sum(line.startswith(f"{name} ") for line in lines) == 1

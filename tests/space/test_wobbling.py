@@ -251,36 +251,6 @@ def test_a_column_that_the_ground_would_have_to_pull_says_so():
     assert "negative" not in runs[1].summary()
 
 
-@pytest.mark.parametrize("seed", range(8))
-def test_random_columns_keep_their_energy_and_their_twist(seed):
-    """Cones, columns and podiums from rest or pushed, under three random components."""
-    rng = np.random.default_rng(seed)
-    radius, height = rng.uniform(0.1, 0.6), rng.uniform(0.5, 4.0)
-    if seed % 2:
-        top = rng.uniform(0.0, 0.5)
-        of = rk.WobblingColumn(radius=radius, top_radius=top, height=height, mass=100.0)
-    else:
-        of = rk.Podium(columns=3, slab_mass=500.0, radius=radius, height=height, mass=100.0)
-    sizes = 9.81 * np.tan(of.alpha) * np.array([1.5, 1.5, 0.3])
-    motions = [rk.GroundMotion.from_array(a * rng.normal(size=150), dt=0.02) for a in sizes]
-    start = {"tilt": 0.2 * of.alpha, "direction": rng.uniform(-3, 3), "direction_dot": rng.normal()}
-    run = rk.simulate(
-        of, motions[0], transverse=motions[1], vertical=motions[2],
-        initial=start if seed < 4 else None, options=OPTIONS,
-    )  # fmt: skip
-    assert run.outcome.value in ("completed", "overturned")
-    assert run.energy_balance().error < 1e-10
-    assert not len(run.impacts)
-    for t in np.linspace(0.1, 0.9, 5) * run.t[-1]:
-        state = run.at(t)
-        places, axes = of.positions(state), of.rotations(state)["column"]
-        touches, axis = places["contact"], axes[:, 2]
-        base = places["column"] - of.parameters()["centroid_height"] * axis
-        # the same arc of the rim and of the circle on the ground has been rolled over
-        np.testing.assert_allclose(axes.T @ (touches - base), touches, atol=1e-9)
-        assert touches @ axis == pytest.approx(radius * np.hypot(*axis[:2]), abs=1e-12)
-
-
 def test_a_podium_in_a_plane_loses_what_the_opposite_rims_leave_of_its_momentum():
     of = podium(Case("podium_steady_0.15"))
     b, h, across = 0.25, 1.0, of.parameters()["inertia_xx"]
@@ -332,7 +302,7 @@ def test_podiums_and_procedures_that_cannot_be_are_refused():
     assert "whole number" in told(rk.Podium, columns=2.5, **sizes)
     case = rk.Case(COLUMN, EL_CENTRO[0], transverse=EL_CENTRO[1])
     assert "its ground is level" in told(COLUMN.on_slope, 0.1)
-    assert "has no feet that lift from rigid ground" in told(rk.assess, COLUMN, [EL_CENTRO[0]])
+    assert "takes two: add the other one" in told(rk.assess, COLUMN, [EL_CENTRO[0]])
     assert "has no derivative" in told(rk.sensitivity, case, ["end tilt"], ["radius"])
 
 
