@@ -41,10 +41,12 @@ check: $(VENV)/.dev ## lint, format, types, import borders, form, generated/ up 
 
 bench: $(VENV)/.test ## speed and error beside C, heyoka and SciPy, side by side (minutes), into out/
 	$(BIN)/python -m benchmarks --out $(OUT)
+	$(BIN)/python -m benchmarks.in_space speed first many planar --out $(OUT)
 
 crosscheck: $(VENV)/.crosscheck ## the same motions by MuJoCo, Bullet, Drake, Exudyn and OpenSees, into out/
 	$(BIN)/python -m benchmarks.crosscheck --out $(OUT)
 	$(BIN)/python -m benchmarks.engines --out $(OUT)
+	$(BIN)/python -m benchmarks.in_space engines --out $(OUT)
 
 docs: $(VENV)/.docs ## build the documentation, every example and derivation run, into out/docs
 	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs $(OUT)/docs
