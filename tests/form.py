@@ -215,12 +215,12 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 68_972, "tests": 52_744, "generated": 14_265, "/.": 330, "/analysis": 7_940,
-    "/assessment": 1_325, "/browser": 3_613, "/cli": 2_534, "/codegen": 2_381, "/compiler": 2_165,
-    "/drawing": 1_901, "/exports": 1_788, "/generated": 523, "/integrator": 7_875,
-    "/modelling": 1_349, "/motion": 4_860, "/numbers": 1_052, "/plots": 1_177, "/simulation": 2_718,
-    "/structures": 4_220, "/sweeps": 2_092, "/symbolic": 9_176, "/teaching": 39,
-    "/thesis": 9_920,
+    "rockeom": 69_468, "tests": 53_491, "generated": 14_265, "/.": 330, "/analysis": 7_940,
+    "/assessment": 1_528, "/browser": 3_613, "/cli": 2_644, "/codegen": 2_413, "/compiler": 2_165,
+    "/drawing": 1_901, "/exports": 1_787, "/generated": 527, "/integrator": 7_957,
+    "/modelling": 1_374, "/motion": 4_871, "/numbers": 1_052, "/plots": 1_177, "/simulation": 2_722,
+    "/structures": 4_221, "/sweeps": 2_104, "/symbolic": 9_189, "/teaching": 39,
+    "/thesis": 9_914,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
 
