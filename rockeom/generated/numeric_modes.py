@@ -44,6 +44,7 @@ WEDGE = 2.414213562373095  # tangent of the angle to its axis at which a slip ha
 MOST_PART = 1e100  # of its friction that a guard counts
 SLOW_SLIP = 1e-7  # [m/s] below which a slip turns as slowly as there, see `slow_turns`
 LEAST_SLIP = 1e-10  # [m/s] at which a slip has ended: a slower one turns faster than steps follow
+NO_YIELD = 1e-6  # of force times null vector: neither point turns about the other, but for rounding
 MOST_SHARES = 60  # of the iteration for the least friction
 SAME_PART = 1e-13  # of it, that all points use: it has come to its end
 PIVOTS = 1e-5  # of the fastest: points that are slower are those about which others turn
@@ -578,7 +579,7 @@ def least_friction_of_two(first, second, n, told, bound, share, c):
     yields_a, yields_d = abs(d_1 + at * d_2) * d * d, abs(a_1 + at * a_2) * b * b
     most = max(yields_a, yields_d)
     c[first] = c[second] = 1.0
-    if most > 0.0:
+    if most > NO_YIELD * (b * math.sqrt(a_0 * a_2) * b + d * math.sqrt(d_0 * d_2) * d):
         c[first] = 1.0 / max(yields_a / most, LEAST_PART_OF_TURN)
         c[second] = 1.0 / max(yields_d / most, LEAST_PART_OF_TURN)
     return math.sqrt(least)

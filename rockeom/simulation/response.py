@@ -225,6 +225,8 @@ class Response:
         last = self.events[-1:]
         if last and last[0].kind == "bound":
             return last[0].contact
+        if DIRECTION in self.units:
+            return TILT
         final = self.final
         parts = {name: abs(final[name]) / size for name, size in self.structure.falls.items()}
         return max(parts, key=lambda name: parts[name])
@@ -504,7 +506,9 @@ class Response:
             return " It is judged to fall: no mode fits any more, and a body turns on outward."
         name, falls = self.overturned, self.structure.falls
         if name and name not in falls:
-            return f" Its {name} reached that at which it has overturned."
+            if self.events[-1:] and self.events[-1].kind == "bound":
+                return f" Its {name} reached that at which it has overturned."
+            return " At the end of the record it leans on outward, and falls afterwards."
         if not name or len(falls) == 1:
             return ""
         unit = m.STATE_UNITS[self.states.index(name)]

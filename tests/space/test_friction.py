@@ -325,3 +325,21 @@ def test_feet_that_would_have_to_hold_too_much_may_slide_by_their_friction():
     low = rk.Prism(width=1.0, depth=1.4, height=0.8, mass=2.0, centroid_height=0.2)
     hints = rk.simulate(low, 4 * EL_CENTRO[0]).summary()
     assert "or let them slide, by their coefficient of friction" in hints
+
+
+@pytest.mark.parametrize(("seed", "offset", "aside"), [(601, 0.0, 0.0), (607, 0.05, 1e-3)])
+def test_both_corners_of_an_edge_that_is_shaken_across_slip_alike(seed, offset, aside):
+    """Neither turns about the other, but for what shakes along the edge; a motion in the plane."""
+    noise = [rk.GroundMotion.kanai_tajimi(0.01, duration=2.5, seed=s) for s in (seed, seed + 400)]
+    along, across = (motion.scaled_to(pga="0.8 g") for motion in noise)
+    sizes = {"width": 0.5, "height": 2.0, "mass": 100.0, "friction": 0.3}
+    body = rk.Prism(depth=0.7, offset_x=offset, **sizes)
+    run = rk.simulate(body, along, transverse=aside * across)
+    assert run.outcome in (rk.Outcome.COMPLETED, rk.Outcome.OVERTURNED)
+    if not offset:
+        planar = rk.SlidingBlock.from_dimensions(restitution=0.0, **sizes)
+        right = rk.simulate(planar, along)
+        assert run.outcome is right.outcome
+        assert abs(run.extremes("pitch").peak) == pytest.approx(
+            abs(right.extremes("theta").peak), rel=1e-4
+        )

@@ -217,3 +217,14 @@ def test_a_smooth_foot_among_those_that_stick_bears_its_part():
     forces = body.reactions({}, ground_acceleration=0.5, transverse_ground_acceleration=0.3)
     for foot, normal in case.expected["normal"].items():
         assert forces[f"{foot}_reaction"] == pytest.approx(float(normal), abs=1e-11)
+
+
+@pytest.mark.parametrize("lean", [0.3, 0.2])
+def test_a_body_that_falls_at_the_end_of_a_record_has_overturned_about_either_axis(lean):
+    """It leans beyond its barrier, or short of it."""
+    body = rk.Prism(width=0.5, depth=0.5, height=2.0, mass=100.0)
+    falls = lean > body.overturning_tilts(0.0)
+    for start in ({"pitch": lean}, {"roll": lean}, {"pitch": -lean}, {"roll": -lean}):
+        run = rk.simulate(body, rk.GroundMotion.none(0.05), initial=start)
+        assert run.overturned == ("tilt" if falls else "")
+        assert ("and falls afterwards" in run.summary()) is bool(falls)

@@ -70,6 +70,7 @@ CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip,
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
+A_PIVOT = 2e-6  # of the fastest slip: a slower one is that of a point about which others turn
 MOST_HALVES = 70  # of yields, which are within 36 powers of ten
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
@@ -229,13 +230,18 @@ def with_directions(candidate, sliding, wanted, contact, share, motion):
         worst = halved(free, alone, yields, held, contact, softer, share, motion, excess)
     if not worst <= JUST_SLIPS:
         return -1
+    fastest = 0.0
+    for i in range(N_POINTS):
+        if alone[i] > 0.0:
+            speed, _ = slip_of(contact, i, motion, 0)
+            fastest = max(fastest, speed)
     for i in range(N_POINTS):
         if alone[i] > 0.0:
             u, _ = rate_of(contact, DIRECTIONS * i + 1, motion, 0)
             v, _ = rate_of(contact, DIRECTIONS * i + 2, motion, 0)
             speed = math.sqrt(u * u + v * v)
-            if speed == 0.0:
-                return -1
+            if not speed > A_PIVOT * fastest:
+                return -1  # others turn about it, and it sticks
             contact[i * POINT + 2], contact[i * POINT + 3] = u / speed, v / speed
             stuck += (digit_of_slip(i, contact) - BEARS) * PLACE_VALUES[i]
     return stuck
