@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 69_468, "tests": 53_491, "generated": 14_265, "/.": 330, "/analysis": 7_940,
-    "/assessment": 1_528, "/browser": 3_613, "/cli": 2_644, "/codegen": 2_413, "/compiler": 2_165,
-    "/drawing": 1_901, "/exports": 1_787, "/generated": 527, "/integrator": 7_957,
-    "/modelling": 1_374, "/motion": 4_871, "/numbers": 1_052, "/plots": 1_177, "/simulation": 2_722,
-    "/structures": 4_221, "/sweeps": 2_104, "/symbolic": 9_189, "/teaching": 39,
+    "rockeom": 69_550, "tests": 53_548, "generated": 14_265, "/.": 330, "/analysis": 7_940,
+    "/assessment": 1_549, "/browser": 3_613, "/cli": 2_649, "/codegen": 2_413, "/compiler": 2_165,
+    "/drawing": 1_901, "/exports": 1_787, "/generated": 528, "/integrator": 7_978,
+    "/modelling": 1_374, "/motion": 4_887, "/numbers": 1_052, "/plots": 1_177, "/simulation": 2_726,
+    "/structures": 4_235, "/sweeps": 2_104, "/symbolic": 9_189, "/teaching": 39,
     "/thesis": 9_914,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""

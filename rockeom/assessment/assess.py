@@ -98,7 +98,7 @@ def assess(
         Azimuths of a structure in space, as of `simulate`: numbers [rad] or texts such as "30 deg",
         or how many, at even distances. If not given, each 45 degrees. Those by number stop where a
         structure is as at the first one: a `Prism` whose centroid is in its middle after half a
-        turn, a round column at once.
+        turn, a round column at once. The verdict names an azimuth that is the only one.
 
     Returns
     -------

@@ -17,6 +17,8 @@ from rockeom.structures.base import Structure
 
 STEP = 0.25 * math.pi
 """Distance of azimuths, where none are given [rad]."""
+_MOST = 360
+"""Azimuths by number: not more, a degree apart."""
 _SAME = 1e-9
 """[rad] Azimuths that differ less are one."""
 
@@ -59,14 +61,18 @@ def azimuths_of(structure: Structure, given: Any) -> tuple[float, ...]:
     if given is None:
         given = max(round(sector / STEP), 1)
     if is_number(given):
-        if given != int(given) or given < 1:
+        if not (1 <= given <= _MOST and given == int(given)):
             raise InputError("azimuths", given, "assess").give(
-                'how many, 1 or more, or a list, as ["0 deg", "30 deg"]'
+                f'how many, 1 to {_MOST}, or angles such as "30 deg"',
+                python='as in azimuths=["0 deg", "30 deg"]',
             )
         return tuple((sector * np.arange(int(given)) / given).tolist()) if sector else (0.0,)
     one = isinstance(given, str) or not isinstance(given, Iterable)
-    found = tuple(float(azimuth_angle(x)) for x in ([given] if one else given))
-    apart = np.diff(np.sort(np.mod(found, 2.0 * math.pi)))
+    found = tuple(
+        float(azimuth_angle(x, "azimuths", "assess")) for x in ([given] if one else given)
+    )
+    apart = np.sort(np.mod(found, 2.0 * math.pi))
+    apart = np.diff(apart, append=apart[:1] + 2.0 * math.pi)  # the last one from the first, too
     if not found or (apart < _SAME).any():
         raise InputError("azimuths", given, "assess").give("one azimuth or more, each once")
     return found
@@ -111,6 +117,13 @@ def in_words(
     known = f"interval of the difference {percent(more.lower)} to {percent(more.upper)}"
     known = f"{percent(level)} {known}, for all pairs of azimuths at once"
     return f"{said} at {last}{measured} ({known})."
+
+
+def alone(structure: Structure, conditions: Conditions) -> str:
+    """The one azimuth of an answer that others may change; "" for several, and for round ones."""
+    if len(conditions.azimuths) != 1 or getattr(structure, "symmetry_angle", 1.0) == 0.0:
+        return ""
+    return in_degrees(conditions.azimuths[0])
 
 
 def in_degrees(azimuth: float) -> str:

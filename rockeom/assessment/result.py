@@ -13,7 +13,13 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import Estimate
 from rockeom.analysis.standards.check import Check
-from rockeom.assessment.azimuths import AtAzimuth, by_azimuth, in_degrees, in_words as of_azimuths
+from rockeom.assessment.azimuths import (
+    AtAzimuth,
+    alone,
+    by_azimuth,
+    in_degrees,
+    in_words as of_azimuths,
+)
 from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
@@ -212,6 +218,8 @@ class Assessment:
         )))  # fmt: skip
 
     def _of_turns(self) -> str:
+        if one := alone(self.structure, self.conditions):
+            return f"It is judged at one azimuth, {one}, alone: others may overturn it sooner."
         if len(turns := self.conditions.azimuths) < 2:
             return ""
         between = f"from {in_degrees(min(turns))} to {in_degrees(max(turns))}"
@@ -253,14 +261,15 @@ class Assessment:
                 f"overturn{_s(first.overturned)} it at a PGA of {in_g(first.pga)}{of_top}."
                 f"{self._of_curve()}"
             )
-        most = f"up to a PGA of {in_g(top.pga)}"
+        most, one = f"up to a PGA of {in_g(top.pga)}", alone(self.structure, self.conditions)
+        at = f" at {one}" if one else ""
         if not any(row.lifted for row in rows):
             lifts = f"none of {self._motions(top.number)} even lifts"
             return (
                 f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} {self._foot}."
             )
         return (
-            f"Not under these records: none of {top.number} overturns it {most}, where the "
+            f"Not under these records{at}: none of {top.number} overturns it {most}, where the "
             f"{percent(self.level)} interval of the probability is {_interval(top)}."
         )
 
@@ -480,7 +489,9 @@ class Assessment:
             said.append("Slope: it falls to the right; the records act along it and normal to it.")
         still = "" if shaken else "no vertical shaking, "
         plane = "" if self.conditions.azimuths else "motion in one plane, "
-        said.append(f"Not checked: rigid ground, {plane}{still}feet that keep their edges.")
+        one = alone(self.structure, self.conditions)
+        turns = f"azimuths other than {one}, " if one else ""
+        said.append(f"Not checked: rigid ground, {plane}{turns}{still}feet that keep their edges.")
         return (*said, *self._of_intervals())
 
     def _of_feet(self) -> tuple[str, ...]:

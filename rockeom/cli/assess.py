@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rockeom.assessment.assess import assess, by_recording
+from rockeom.assessment.azimuths import azimuths_of
 from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records_for
@@ -90,10 +91,11 @@ def run(args: argparse.Namespace) -> int:
         check_page(args.out)  # before the simulations, not after
     pga = None if args.pga is None else accelerations(args.pga, "--pga")
     motions: Any = records_for(structure, args)
-    print(f"simulating {len(motions)} record{'s' * (len(motions) > 1)} ...", file=sys.stderr)
     turns: Any = args.azimuths
     if turns and turns[0].isdecimal() and not turns[1:]:
         turns = int(turns[0])
+    azimuths_of(structure, turns)  # before the simulations, not after
+    print(f"simulating {len(motions)} record{'s' * (len(motions) > 1)} ...", file=sys.stderr)
     shaking = motions
     if not in_space(structure.module):
         shaking = motions.recordings() if args.components == "all" else by_recording(motions)

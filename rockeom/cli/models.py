@@ -132,7 +132,10 @@ def _list() -> str:
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
         rows.append((name, (of.__doc__ or "").partition(",")[0]))
         notes.append(f"  {name} takes {arguments}, and is derived for each")
-    rows += [(n, _title(_module(named.class_named(n), {}))) for n in named.IN_SPACE]
+    rows += [
+        (n, (named.class_named(n).__doc__ or "").partition(",")[0].partition(".")[0])
+        for n in named.IN_SPACE
+    ]
     notes.append(f"  {', '.join(named.IN_SPACE)} move in space, under all three components")
     standing = [n for n, s in {**SHIPPED, **named.FAMILIES}.items() if named.takes_support(s)]
     notes += [f"  {', '.join(standing)} take a support:"]

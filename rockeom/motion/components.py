@@ -64,6 +64,9 @@ _GLUED_OF_PEER = re.compile(
 _PEER = re.compile(r"(?:RSN_?\d+|NGA_?(?:no_)?\d+)[^_]*(?:_(?=[^_]*_)[^_]+)?", re.IGNORECASE)
 """The number of a record of PEER, which its three components share, and its earthquake."""
 
+_SEED = re.compile(r"\bseed \d+(?:-A[^,]*)?$", re.IGNORECASE)
+"""End of the name of a synthetic motion, perhaps scaled: its number is no azimuth."""
+
 _SET = re.compile(r"(.+)_fema_p695_(.+)")
 _VERB = re.compile(r"scaled?|ramp(?:ed)?|warm|run|start|step|speed|slow|cool", re.IGNORECASE)
 """Words with which "up" and "down" are no direction of the ground."""
@@ -88,6 +91,8 @@ def split(name: str) -> tuple[str, str]:
     >>> split("RSN6_IMPVALL.I_I-ELC180"), split("RSN6_IMPVALL.I_I-ELC-UP")
     (('RSN6_IMPVALL.I', '180'), ('RSN6_IMPVALL.I', 'UP'))
     """
+    if _SEED.search(name):
+        return name, ""
     if of_peer := _PEER.match(name):
         rest, component = _split_words(name, of_peer=True)
         location = re.search(rf"\.{_LOCATION}$", rest)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion import library
 from rockeom.motion.components import azimuth_and_vertical, name_of, split
 from rockeom.motion.ground_motion import GroundMotion, every_component
 from rockeom.motion.scaling import SCALE_IN_NAME, Acceleration, multiplier, target
@@ -155,6 +154,8 @@ class Recording:
         >>> len(recording.horizontal), recording.vertical.is_vertical
         (2, True)
         """
+        from rockeom.motion import library  # with the readers of files
+
         return recording_from(words, [*map(GroundMotion.from_library, library.names(words))])
 
     def in_plane(self) -> tuple[Recording, ...]:
@@ -318,6 +319,12 @@ class Recording:
         else:
             spectrum = self.response_spectrum(wanted.period, damping_ratio, of)
             (found,) = spectrum.pseudo_acceleration
+        if found == 0.0 and any(motion.peak for motion in self.horizontal):
+            raise InputError("of", of, self.name).says(
+                f"the {of} of its horizontal components is zero, since one does not shake: give "
+                "one that does, or leave the recording out",
+                'scaled_to(..., of="larger") scales by the other one',
+            )
         if found == 0.0:
             raise InputError("pga", of=self.name).says(
                 "no factor makes a recording without shaking shake"
@@ -488,11 +495,14 @@ def _azimuth(motion: GroundMotion) -> float | None:
         at = motion.origin.azimuth
     else:
         title = motion.source.partition(_TITLE)[2].split(",")
-        names = split(SCALE_IN_NAME.sub("", motion.name))[1], *reversed(title)
+        name = "" if _TURNED in motion.name else SCALE_IN_NAME.sub("", motion.name)
+        names = split(name)[1], *reversed(title)
         found = (azimuth_and_vertical(name)[0] for name in names)
         at = next((one for one in found if one is not None), None)
     return at if at is None else (at + _HALF_TURN * (motion.name[:1] == "-")) % 360
 
 
+_TURNED = " degrees from "
+"""In the name of a motion between two, see `GroundMotion.rotated`, whose azimuths it has not."""
 _TITLE = "line 2: "
 """In front of the title of a record of PEER, whose last field is its component."""

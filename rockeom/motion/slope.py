@@ -27,6 +27,8 @@ from rockeom.numbers.functions import mathematics
 AXES = SLOPE, WORLD = "slope", "world"
 """Axes of the ground motions: along and normal to the slope, or level and upright."""
 
+_LARGEST = 1e6
+"""Azimuth of which rounding leaves a billionth of a radian [rad]."""
 _NUMBER = r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*"
 _TEXT = re.compile(rf"{_NUMBER}(?:(deg|degrees?|rad)\s*|in{_NUMBER})")
 
@@ -45,20 +47,24 @@ def slope_angle(slope: Any) -> Any:
     return angle
 
 
-def azimuth_angle(azimuth: Any) -> Any:
-    """An azimuth [rad]: a number, or a text such as "30 deg"; raises InputError for another."""
-    angle = _angle("azimuth", azimuth)
-    if not math.isfinite(value_of(angle)):
-        raise InputError("azimuth", azimuth).give(
-            'radians, or a text such as "30 deg" or "0.5 rad", counter-clockwise seen from above'
+def azimuth_angle(azimuth: Any, argument: str = "azimuth", of: str = "") -> Any:
+    """An azimuth [rad]: a number, or a text such as "30 deg"; raises InputError for another.
+
+    argument, of : what an error names.
+    """
+    angle = _angle(argument, azimuth, of)
+    if not abs(value_of(angle)) <= _LARGEST:
+        raise InputError(argument, azimuth, of).give(
+            'radians, or a text such as "30 deg" or "0.5 rad", counter-clockwise seen from above, '
+            "a million radians at most"
         )
     return angle
 
 
-def _angle(name: str, given: Any) -> Any:
+def _angle(name: str, given: Any, of: str = "") -> Any:
     """A number, or an angle out of a text [rad]; NaN for another text."""
     if not isinstance(given, str):
-        return number(name, given)
+        return number(name, given, of)
     match = _TEXT.fullmatch(given)
     size, unit, run = match.groups() if match else ("nan", "rad", None)
     if run:

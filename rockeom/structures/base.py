@@ -12,7 +12,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 import numpy as np
 
 from rockeom.codes import IMPACT
-from rockeom.integrator.schema import GeneratedModule, has_landings, in_space, name_of_law
+from rockeom.integrator.schema import (
+    GeneratedModule,
+    has_landings,
+    in_space,
+    is_by_code,
+    name_of_law,
+)
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.motion.slope import slope_angle
 from rockeom.numbers import explained
@@ -171,6 +177,8 @@ class Structure(metaclass=explained.Constructors):
     def has_impacts(self) -> bool:
         """Whether an impact ends any mode."""
         m = self.module
+        if is_by_code(m):  # eight to the power of its points are too many to look at: points land
+            return False
         return any(IMPACT in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True))
 
     @functools.cached_property
@@ -533,6 +541,11 @@ class Structure(metaclass=explained.Constructors):
         """
         m = self.module
         if not self.has_impacts:
+            if impact is not None and is_by_code(m) and hasattr(self, "restitution"):
+                raise InputError("impact", impact).says(
+                    f"{self.model} has a restitution for its points: leave {{impact}} out",
+                    f"and give restitution= to {type(self).__name__}",
+                )
             if impact is not None and self.has_landings:
                 raise InputError("impact", impact).says(
                     f"{self.model} has an impact law for its points, as it is declared: leave "

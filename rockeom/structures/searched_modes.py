@@ -444,7 +444,8 @@ def _code_of(
         if closed[i] and slides[i] != 0.0 and not module.SMOOTH >> i & 1:
             if friction[i] >= codes.NEVER_SLIPS:
                 raise InputError("state").says(
-                    f"{module.NAME} has no mode in which {name} slips: correct the state"
+                    f"{name} of {module.NAME}, which never slips, does at these initial rates: "
+                    "leave x_dot, y_dot and yaw_dot out, or give the structure friction="
                 )
             x, y = points.tangential[i] @ points.y[len(module.STATES) // 2 :]
             digit = codes.SLIPS + round(math.atan2(y, x) / (math.pi / 2)) % 4

@@ -113,6 +113,8 @@ def test_uplift_is_the_least_of_all_directions(body):
     least = formulas.rocking_threshold(directions, feet[:, :2], -feet[0, 2]).min()
     assert answer.statics.uplift_acceleration == pytest.approx(least, rel=1e-6)
     assert answer.statics.weight == pytest.approx(body.mass * body.gravity)
+    assert "at one azimuth, 0 degrees, alone: others may overturn it sooner." in answer.verdict
+    assert any("azimuths other than 0 degrees" in said for said in answer.assumptions)
     where = "Sliding: in the weakest direction it"
     assert answer.findings[1].startswith(where) is (body.friction is not None)
     assert answer.slides_first is (None if body.friction is None else bool(least / 9.81 > 0.3))
@@ -123,6 +125,7 @@ def test_a_round_column_is_alike_at_all_azimuths():
     strong = [r.scaled_to(pga=5.0) for r in RECORDINGS[:2]]  # weak wobbling takes very many steps
     answer = rk.assess(column, strong, pga=4.0)
     assert [at.azimuth for at in answer.azimuths] == [0.0]
+    assert "azimuth" not in answer.verdict
     assert answer.statics.uplift_acceleration == pytest.approx(9.81 * 0.05 / 0.2)
     runs = [
         rk.simulate(column, r.scaled_to(pga=4.0), duration=r.vertical.duration + 10.0)
@@ -157,8 +160,13 @@ CAN = rk.RollingCylinder(radius=0.033, height=0.12, mass=0.35)
     [
         (FIGURINE, X, {}, "one horizontal component, and a structure in space takes two"),
         (FIGURINE, [RECORDINGS[0], rk.Recording("again", (X, Y))], {}, "one motion twice"),
-        (FIGURINE, RECORDINGS, {"azimuths": 0}, "how many, 1 or more"),
-        (FIGURINE, RECORDINGS, {"azimuths": 0.5}, "how many, 1 or more"),
+        (FIGURINE, RECORDINGS, {"azimuths": 0}, "assess: azimuths is 0: give how many, 1 to 360"),
+        (FIGURINE, RECORDINGS, {"azimuths": 0.5}, "how many, 1 to 360"),
+        (FIGURINE, RECORDINGS, {"azimuths": np.inf}, "how many, 1 to 360"),
+        (FIGURINE, RECORDINGS, {"azimuths": np.nan}, "how many, 1 to 360"),
+        (FIGURINE, RECORDINGS, {"azimuths": [1e300]}, "a million radians at most"),
+        (FIGURINE, RECORDINGS, {"azimuths": ["x"]}, "assess: azimuths is 'x'"),
+        (FIGURINE, RECORDINGS, {"azimuths": [0.0, -1e-12]}, "one azimuth or more, each once"),
         (FIGURINE, RECORDINGS, {"azimuths": "north"}, 'a text such as "30 deg"'),
         (FIGURINE, RECORDINGS, {"azimuths": [0.0, "360 deg"]}, "one azimuth or more, each once"),
         (FIGURINE, RECORDINGS, {"azimuths": []}, "one azimuth or more, each once"),
@@ -170,6 +178,13 @@ CAN = rk.RollingCylinder(radius=0.033, height=0.12, mass=0.35)
 def test_what_cannot_be_assessed_is_refused(body, records, more, words):
     with pytest.raises(ValueError, match=words):
         rk.assess(body, records, pga=4.0, **more)
+
+
+def test_a_component_that_does_not_shake_is_named():
+    still = rk.GroundMotion.from_array(np.zeros(9), dt=DT, name="still")
+    half = rk.Recording("half", (RECORDINGS[0].horizontal[0], still))
+    with pytest.raises(rk.InputError, match="geometric mean of its horizontal components is zero"):
+        half.scaled_to(pga=1.0)
 
 
 # -- how often intervals hold the truth

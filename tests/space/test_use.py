@@ -9,6 +9,7 @@ from scipy.optimize import minimize_scalar
 
 import rockeom as rk
 from rockeom.cli import main
+from rockeom.codes import IMPACT
 from tests.space.bodies import oriented
 from tests.space.test_standing import EL_CENTRO, TRIPOD
 
@@ -87,6 +88,21 @@ def test_components_without_azimuths_are_counter_clockwise():
     np.testing.assert_array_equal(run.y, rk.simulate(STATUE, x, transverse=y, vertical=up).y)
 
 
+@pytest.mark.parametrize("factor", [1.0, 2.0])
+def test_the_seed_of_a_synthetic_motion_is_no_azimuth(factor):
+    one, other = (
+        rk.GroundMotion.kanai_tajimi(0.01, duration=1.0, seed=seed).scaled(factor)
+        for seed in (100, 190)
+    )
+    pair = rk.Recording("synthetic", (one, other))
+    assert pair.in_space() == (one, other)
+    assert len(rk.MotionSet([one, other]).recordings()) == 2
+    turned = rk.Recording(
+        "turned", tuple(pair.along(a).horizontal[0] for a in (0.3, 0.3 + np.pi / 2))
+    )
+    assert turned.in_space() == turned.horizontal
+
+
 def test_the_network_azimuths_of_a_scaled_recording_still_count():
     first, second = RECORDING.in_space()
     np.testing.assert_allclose(second.samples, -1.5 * EL_CENTRO[1].samples, rtol=1e-15)
@@ -121,6 +137,8 @@ X = RECORDING.horizontal[0]
         (STATUE, RECORDING, {"vertical": X}, "vertical is given along with the recording"),
         (STATUE, X, {"azimuth": "north"}, 'radians, or a text such as "30 deg"'),
         (STATUE, X, {"azimuth": np.inf}, "azimuth is inf"),
+        (STATUE, X, {"initial": {"yaw_dot": 0.1}}, "leave x_dot, y_dot and yaw_dot out, or give"),
+        (STATUE, X, {"impact": "newton"}, "leave impact= out; and give restitution= to Prism"),
         (BLOCK, X, {"azimuth": 0.3}, "RigidBlock moves in a plane: leave azimuth= out"),
         (BLOCK, RECORDING, {}, "a plane structure takes one"),
     ],
@@ -128,6 +146,11 @@ X = RECORDING.horizontal[0]
 def test_what_leaves_the_directions_open_is_refused(structure, motion, more, words):
     with pytest.raises((ValueError, TypeError), match=words):
         rk.simulate(structure, motion, **more)
+
+
+def test_no_impact_ends_a_mode_that_is_a_code_of_digits():
+    assert not STATUE.has_impacts
+    assert not any(IMPACT in kinds for kinds in STATUE.module.KINDS)
 
 
 def test_two_formulas_on_a_turned_structure_are_refused():
@@ -559,6 +582,8 @@ def test_sweep_and_assess_turn_the_structure(folder, tmp_path, capsys):
     ("words", "said"),
     [
         ("simulate prism SET --record El Centro 1940 --azimuth 30", '--azimuth is \'30\''),
+        ("assess prism SET --records El Centro 1940 --pga 0.3g --azimuths north",
+         "rockeom assess: --azimuths is 'north'"),
         ("simulate rigid_block BLOCK --record El Centro 1940 180 --azimuth 30deg",
          "RigidBlock moves in a plane: leave --azimuth out"),
         ("simulate rigid_block BLOCK --motion a.at2 b.at2", "--motion has 2 files"),
