@@ -216,6 +216,8 @@ JAMMED = 10.0
 FIRST_SLIP = 1e-8
 # [m/s] the same of the slowest of several, and the most of the fastest for its sake.
 LEAST_FIRST_SLIP, MOST_FIRST_SLIP = 1.5e-10, 1e-7
+# Relative to the fastest slip that begins: a slower one is that of a point about which others turn.
+A_PIVOT = 2e-6
 # Relative to how a point yields along the ground: the direction of a slip that begins is known.
 SAME_DIRECTION = 1e-13
 # Relative to how freely a point moves: it yields by so much at least where it is about to slip.

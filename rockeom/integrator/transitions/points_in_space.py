@@ -33,6 +33,7 @@ from rockeom.integrator.provided import (
     rates,
 )
 from rockeom.integrator.tolerances import (
+    A_PIVOT,
     ABOUT_TO_SLIP,
     FIRST_SLIP,
     FROM_REST,
@@ -70,7 +71,6 @@ CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip,
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
-A_PIVOT = 2e-6  # of the fastest slip: a slower one is that of a point about which others turn
 MOST_HALVES = 70  # of yields, which are within 36 powers of ten
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
