@@ -11,7 +11,9 @@ from rockeom.codegen.text import Text
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.reactions import total_reaction
 
-_SOLVER = ("digit_of", "guards_in_code", "motion_in_code", "motion_without_slips", "slips_in")
+_SOLVER = (
+    "digit_of", "guards_in_code", "motion_in_code", "move_by_squares", "rows_in", "slips_in",
+)  # fmt: skip
 _TABLES = (
     "MODES", "POINT_STATES", "KINDS", "SUBJECTS", "SHARED", "GUARDS", "ELEMENT_STATES", "SIDES",
     "TARGETS", "REVERSE", "PARTS",
@@ -38,12 +40,11 @@ def _arrays(text: Text, of: ContactDeclaration) -> list[str]:
     ]
 
 
-def _free(text: Text, points: str) -> list[str]:
-    """Lines that tell of the motion without contact, and of the points, in a state y."""
+def _free(text: Text) -> list[str]:
+    """Lines that tell of the motion without contact."""
     return [
         f"    matrix, forces = np.empty({text.n**2}), np.empty({text.n})",
         f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
-        f"    {points}(y, p, told)",
     ]
 
 
@@ -57,7 +58,8 @@ def _solver(text: Text, of: ContactDeclaration) -> None:
         f"solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)",
         "Rows and laws of points in a state into told, and the motion and forces of a mode.",
         [
-            *_free(text, "points"),
+            *_free(text),
+            "    points(y, p, told)",
             f"    point_laws(p, told[{m * (7 + 3 * n)}:])",
             "    motion_in_code(",
             f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share",
@@ -79,10 +81,12 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
             f"    if slips_in(mode, {m}):",
             f"    {_solved(text)}",
             "    else:",
-            *(f"    {line}" for line in _free(text, "rows_of_points")),
-            "        motion_without_slips(",
-            f"            mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations",
-            "        )",
+            *(f"    {line}" for line in _free(text)),
+            f"        rows, g = np.empty({3 * m}, np.int64), np.empty({n * (n + 1)})",
+            f"        rows_in(mode, {m}, SMOOTH, rows)",
+            "        squares_of_points(y, p, rows, g)",
+            f"        pivots = np.empty({n}, np.int64)",
+            f"        move_by_squares({n}, matrix, forces, g, pivots, accelerations)",
             f"    for i in range({n}):",
             f"        dy[i], dy[{n} + i] = y[{n} + i], accelerations[i]",
             *text.evaluate("rates", internal, "    "),

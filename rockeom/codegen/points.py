@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from rockeom.codegen.printer import assign, python
 from rockeom.codegen.text import Text
 from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
 from rockeom.symbolic.algebra import tidy
@@ -77,12 +78,45 @@ def _points(text: Text, of: ContactDeclaration) -> None:
         _every(text, "points", targets),
     )
     if of.by_code:
-        rows = {k: e for i, (k, e) in enumerate(targets.items()) if i % size > 3}
+        values = [*targets.values()]
+        told = [values[size * i : size * (i + 1)] for i in range(len(of.contacts))]
         text.function(
-            "rows_of_points(y, p, out)",
-            "Biases and rows alone, where `points` puts them.",
-            _every(text, "rows_of_points", rows),
+            "squares_of_points(y, p, rows, g)",
+            "J'J of the rows (3 m,) that are held, and -J' bias behind it, into g: above all.",
+            _squares(text, told),
         )
+
+
+def _squares(text: Text, told: list[list[sp.Expr]]) -> list[str]:
+    """Lines that add up products of the rows that are held; most of a row are zeros and ones.
+
+    told : of each point what `points` tells.
+    """
+    n, named, held = text.n, dict[str, sp.Expr](), list[str]()
+    for point, values in enumerate(told):
+        rows = []
+        for k in range(3):
+            row = [*values[7 + n * k : 7 + n * (k + 1)], values[4 + k]]
+            names = [sp.Symbol(f"r{(3 * point + k) * (n + 1) + j}") for j in range(n + 1)]
+            moving = {name: e for name, e in zip(names, row, strict=True) if not e.is_number}
+            named |= {str(name): e for name, e in moving.items()}
+            rows.append([e if e.is_number else x for x, e in zip(names, row, strict=True)])
+        held += [f"    if rows[{3 * point}] == 1:", *_products(rows[:1], " " * 8)]
+        held += [f"        if rows[{3 * point + 1}] == 1:", *_products(rows[1:], " " * 12)]
+    emptied = [f"    for i in range({n * (n + 1)}):", "        g[i] = 0.0"]
+    return emptied + text.evaluate("squares_of_points", named, "    ", hoist=True) + held
+
+
+def _products(rows: list[list[sp.Expr]], indent: str) -> list[str]:
+    """Lines that add J'J and -J' bias of rows [J bias] to g."""
+    lines, width = list[str](), len(rows[0])
+    for i in range(width - 1):
+        for j in range(i, width):
+            total = sum((row[i] * row[j] for row in rows), sp.S.Zero)
+            if total != 0:
+                entry, sign = f"g[{i * width + j}]", "-" if j == width - 1 else "+"
+                lines += assign(entry, f"{entry} {sign} ({python(total)})", indent)
+    return lines
 
 
 def _point_laws(text: Text, of: ContactDeclaration) -> None:
