@@ -541,6 +541,8 @@ def has_spare_point(candidate, contact):
         if digit not in (OPEN, IDLES):
             smooth += (RELEASED - digit) * PLACE_VALUES[i]
             bearing += 1
+    if bearing < 3:  # two bear alike only at one place
+        return False
     return shares_in(smooth, nothing, contact, share) < bearing
 
 
