@@ -161,12 +161,12 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
         along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
         directions_of_slips(mode, n, m, told, along)
         rank = hold_with_slips(mode, n, m, matrix, forces, told, along, g, pivots, x, z)
-        forces_of_points(n, m, rows, told, pivots, z, share)
+        forces_of_points(n, m, rows, told, z, share)
         add_friction(mode, m, laws, along, share)
     else:
         rank = move_by_squares(n, matrix, forces, g, pivots, x)
         unknowns_of_forces(n, matrix, forces, g, pivots, x, z)
-        forces_of_points(n, m, rows, told, pivots, z, share)
+        forces_of_points(n, m, rows, told, z, share)
     return rank
 
 
@@ -193,10 +193,10 @@ def hold_with_slips(mode, n, m, matrix, forces, told, along, g, pivots, x, z):
         for i in range(n):
             b[i * width + free[r]] = column[i]
     solve_by_rows(n, b)
-    for i in range(n):
-        z[i] = b[i * width + n]
     for r in range(order):
-        column[r] = z[free[r]]
+        column[r] = b[free[r] * width + n]
+    for i in range(n):
+        z[i] = b[i * width + n] if pivots[i] == 1 else 0.0
     go(n, order, ways, column, 1, x)
     return rank
 
@@ -215,15 +215,31 @@ def unknowns_of_forces(n, matrix, forces, g, pivots, x, z):
 
 
 @everywhere
-def forces_of_points(n, m, rows, told, pivots, z, share):
+def press_by_squares(n, m, matrix, forces, g, rows, pivots, told, accelerations, share):
+    """Accelerations (n,) where nothing slips, and the normal force at each point into share (3 m,).
+
+    g (n, n + 1) : J'J and -J' bias behind it. told : gaps and their rows alone.
+    """
+    z = np.empty(MOST_COORDINATES)
+    move_by_squares(n, matrix, forces, g, pivots, accelerations)
+    unknowns_of_forces(n, matrix, forces, g, pivots, accelerations, z)
+    for point in range(m):
+        lever, total = lever_of(3 * point, n), 0.0
+        if rows[3 * point] > 0:
+            for i in range(n):
+                total += told[lever + i] * z[i]
+        share[3 * point] = total
+
+
+@everywhere
+def forces_of_points(n, m, rows, told, z, share):
     """The forces J z of rows that are held, also of the gap of an idle point, into share (3 m,)."""
     for point in range(m):
         for k in range(3):
             lever, total = point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + k * n, 0.0
             if rows[3 * point + k] > 0:
                 for i in range(n):
-                    if pivots[i] == 1:
-                        total += told[lever + i] * z[i]
+                    total += told[lever + i] * z[i]
             share[3 * point + k] = total
 
 

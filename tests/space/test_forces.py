@@ -85,11 +85,16 @@ def test_stages_add_up_the_rows_that_points_tell(seed):
         mass=80.0, inertia=np.diag([30.0, 25.0, 9.0]), friction=None,
     )  # fmt: skip
     y, told, g = rng.normal(0.0, 0.5, 2 * N), np.empty(3 * (FIRST_LEVER + 3 * N)), np.empty(N * 7)
+    free, equations = (np.empty(N * N), np.empty(N)), (np.empty(N * N), np.empty(N))
     states = rng.integers(0, 3, 3)  # open, without friction, held along the ground
     rows = np.repeat(states[:, None], 3, axis=1) > [0, 1, 1]
     body.module.points(y, body.vector, told)
-    body.module.squares_of_points(y, body.vector, rows.ravel().astype(np.int64), g)
+    body.module.free_motion(y, body.vector, 1.0, 2.0, 3.0, 0, *free)
+    held = rows.ravel().astype(np.int64)
+    body.module.equations(y, body.vector, 1.0, 2.0, 3.0, 0, held, *equations, g)
     told = told.reshape(3, -1)
     j, bias = told[:, FIRST_LEVER:].reshape(9, N)[rows.ravel()], told[:, FIRST_BIAS:FIRST_LEVER]
     both = np.column_stack([j.T @ j, -j.T @ bias[rows]])
     np.testing.assert_allclose(g.reshape(N, 7), np.triu(both), atol=1e-13)
+    for alone, together in zip(free, equations, strict=True):
+        np.testing.assert_allclose(together, alone, rtol=1e-13, atol=1e-13)
