@@ -153,17 +153,17 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
     change of velocities as bias. told : of `points`, then the `laws`. share : of an idle point what
     it would bear. Returns how many rows are independent.
     """
-    rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
-    g, z = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
+    rows, g, z = np.empty(MOST_ROWS, np.int64), np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
     rows_in(mode, m, smooth, rows)
     squares_of_rows(n, m, rows, told, bias, g)
     if slips_in(mode, m):
         along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
         directions_of_slips(mode, n, m, told, along)
-        rank = hold_with_slips(mode, n, m, matrix, forces, told, along, g, pivots, x, z)
+        rank = hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z)
         forces_of_points(n, m, rows, told, z, share)
         add_friction(mode, m, laws, along, share)
     else:
+        pivots = np.empty(MOST_COORDINATES, np.int64)
         rank = move_by_squares(n, matrix, forces, g, pivots, x)
         unknowns_of_forces(n, matrix, forces, g, pivots, x, z)
         forces_of_points(n, m, rows, told, z, share)
@@ -171,14 +171,14 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
 
 
 @everywhere
-def hold_with_slips(mode, n, m, matrix, forces, told, along, g, pivots, x, z):
+def hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z):
     """Accelerations x (n,) and unknowns of forces z (n,) where friction is with normal forces.
 
     g (n, n + 1) : of `squares_of_rows`. Returns how many rows are independent.
     """
     b, width, laws = np.empty(MOST_UNKNOWNS), n + 1, laws_in(told, n, m)
-    free, ways = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_UNKNOWNS)
-    column = np.empty(MOST_COORDINATES)
+    pivots, free = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_COORDINATES, np.int64)
+    ways, column = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
     for i in range(n):
         for j in range(i, n):
             b[i * width + j] = b[j * width + i] = -g[i * width + j]
