@@ -13,6 +13,8 @@ from rockeom.codes import BEARS, IDLES, LIFTING, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     PLACE_VALUES,
+    REDUNDANT,
+    any_rubs,
     digit_along,
     digit_of,
     hold,
@@ -104,9 +106,12 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     left = int(number * 0.5) - sets * opens
     if opens > N_POINTS or OPENS_IN[left] != opens or extra > 2 * CHANGES_IN[left]:
         return -1
+    released = int(0.5 * (extra + 1.0))
+    if CHANGES_IN[left] != released and not any_rubs(N_POINTS, SMOOTH, contact[LAWS:]):
+        return -1
     share, motion, idle = np.empty(ROWS), np.empty(N_COORDINATES), number - 2 * int(number * 0.5)
     candidate, freed, more, unknown = chosen_states(left, near, sliding, contact)
-    if candidate < 0 or (extra != 2 * more and extra != 2 * more - 1):
+    if candidate < 0 or more != released:
         return -1
     if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
         return -1
@@ -533,17 +538,35 @@ def forces_in(candidate, forces, wanted, contact, change, share):
     )  # fmt: skip
 
 
+@rolled
 def has_spare_point(candidate, contact):
-    """Whether a point may cease to bear, and the others keep its gap closed."""
-    smooth, bearing, nothing, share = candidate, 0, np.zeros(ROWS), np.empty(ROWS)
+    """Whether a point may cease to bear, and the others keep its gap closed.
+
+    Rows of gaps are then dependent: nothing but rounding is left of one by Gram and Schmidt.
+    """
+    n, kept, rows = N_COORDINATES, 0, np.empty(N_POINTS * N_COORDINATES)
     for i in range(N_POINTS):
-        digit = digit_of(candidate, i)
-        if digit not in (OPEN, IDLES):
-            smooth += (RELEASED - digit) * PLACE_VALUES[i]
-            bearing += 1
-    if bearing < 3:  # two bear alike only at one place
-        return False
-    return shares_in(smooth, nothing, contact, share) < bearing
+        if digit_of(candidate, i) in (OPEN, IDLES):
+            continue
+        first, last, whole = row_of_point(DIRECTIONS * i), kept * n, 0.0
+        for j in range(n):
+            rows[last + j] = contact[first + j]
+            whole += contact[first + j] ** 2
+        for k in range(kept):
+            along_ = 0.0
+            for j in range(n):
+                along_ += rows[k * n + j] * rows[last + j]
+            for j in range(n):
+                rows[last + j] -= along_ * rows[k * n + j]
+        left = 0.0
+        for j in range(n):
+            left += rows[last + j] ** 2
+        if left <= REDUNDANT * whole:
+            return True
+        for j in range(n):
+            rows[last + j] /= math.sqrt(left)
+        kept += 1
+    return False
 
 
 @inlined
