@@ -1,6 +1,6 @@
 """Free motion and points of a structure whose contacts were declared: the same in all modes."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -19,7 +19,7 @@ def functions_of_points(text: Text, of: ContactDeclaration) -> None:
     _point_laws(text, of)
     if of.by_code:
         _gaps(text, told)
-        _equations(text, free, told)
+        _equations(text, of, free, told)
     elif of.impact_law != "newton":
         _point_numbers(text, of)
 
@@ -97,11 +97,18 @@ def _gaps(text: Text, told: list[list[sp.Expr]]) -> None:
     )
 
 
-def _equations(text: Text, free: Mapping[str, sp.Expr], told: list[list[sp.Expr]]) -> None:
-    """Add the equations of motion of any mode; most of the rows of points are zeros and ones."""
+def _equations(
+    text: Text, of: ContactDeclaration, free: Mapping[str, sp.Expr], told: list[list[sp.Expr]]
+) -> None:
+    """Add the equations of motion of any mode; most of the rows of points are zeros and ones.
+
+    Behind the sine and the cosine of the first angle, that of the outermost rotation, slips along x
+    and along y have the same factors, and so have points behind those of the second.
+    """
     n, values, held = text.n, dict(free), list[str]()
-    for point, of_point in enumerate(told):
-        rows = []
+    for point, (contact, as_told) in enumerate(zip(of.contacts, told, strict=True)):
+        angles = () if contact.material else _angles(text, as_told)[:2]
+        of_point, rows = [_by_sines(e, angles) for e in as_told], []
         for k in range(3):
             row = [*of_point[7 + n * k : 7 + n * (k + 1)], of_point[4 + k]]
             names = [sp.Symbol(f"r{(3 * point + k) * (n + 1) + j}") for j in range(n + 1)]
@@ -123,6 +130,21 @@ def _equations(text: Text, free: Mapping[str, sp.Expr], told: list[list[sp.Expr]
             *held,
         ],
     )
+
+
+def _angles(text: Text, expressions: Iterable[sp.Expr]) -> list[sp.Symbol]:
+    """Coordinates whose sine or cosine occurs, in the order in which they are declared."""
+    found = set().union(*(e.atoms(sp.sin, sp.cos) for e in expressions))
+    turned = {sine.args[0] for sine in found}
+    return [c.position for c in text.model.integrated if c.position in turned]
+
+
+def _by_sines(e: sp.Expr, angles: Sequence[sp.Symbol]) -> sp.Expr:
+    """A sum as factors of the sine and cosine of the first angle, and these as of the others."""
+    if not angles:
+        return e
+    sines = [function(angles[0]) for function in (sp.sin, sp.cos)]
+    return sp.collect(sp.expand(e), sines, func=lambda factor: _by_sines(factor, angles[1:]))
 
 
 def _products(rows: list[list[sp.Expr]], indent: str) -> list[str]:
