@@ -1,12 +1,13 @@
 """Works and losses of a motion, by quadrature over its steps; its balance of energy."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import REST
+from rockeom.generated.numeric_modes import slips_in
 from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns, Events
@@ -74,17 +75,19 @@ class Works:
 
     The loss at impacts is the energy before them less that behind them. In the time in which
     infinitely many of them bring a structure on points to rest, it is the loss that no other
-    explains.
+    explains. ground : its accelerations at times (n,). forces : those at points, at times that do
+    not fall, by the compiled program.
     """
 
     def __init__(
         self,
         structure: Structure,
-        ground: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+        ground: Callable[[np.ndarray], tuple[np.ndarray, ...]],
+        forces: Callable[[Rows], Mapping[str, np.ndarray]],
         steps: Steps,
         events: EventColumns,
     ) -> None:
-        self.structure, self.ground, self.steps = structure, ground, steps
+        self.structure, self.ground, self.forces, self.steps = structure, ground, forces, steps
         self.events = Events(structure, events)
         self.names = names_of_works(structure.module)
         starts, lengths = self.steps.span.T
@@ -172,19 +175,35 @@ class Works:
         module, p, ground = self.structure.module, self.structure.vector, self.ground(t)
         n = len(module.ELEMENT_NAMES)
         powers = filled(module, p, "powers", 3, mode, y, *ground)
-        lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
+        lost = np.empty((0, len(t)))
+        if n > 0:
+            lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
-        if has_landings(module):
+        if is_by_code(module):  # only where a point slips, since to solve for forces takes long
+            slipping = [k for k in np.unique(mode).tolist() if slips_in(k, module.N_POINTS)]
+            some = np.flatnonzero(np.isin(mode, slipping))
+            rows = Rows(t[some], y[some], mode[some])
+            if len(some):
+                rates = np.roll(rows.y.T, -(module.N_STATES // 2), axis=0)  # those of coordinates
+                friction[0, some] = self._friction(rows, rates, self.forces(rows))
+        elif has_landings(module):
             rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
-            size = len(module.KINEMATICS)
-            slips = jets(module, p, "kinematics", size, mode, y, rates)[1]
             forces = at_states(module, p, "reactions", mode, y, *ground)
-            ways = ("_x", "_y") if is_by_code(module) else ("",)
-            for point, way in product(module.POINTS, ways):
-                if (name := f"{point}_slip{way}") in module.KINEMATICS:
-                    rate = slips[module.KINEMATICS.index(name)]
-                    friction[0] -= forces[f"{point}_friction{way}"] * rate
+            friction[0] = self._friction(Rows(t, y, mode), rates, forces)
         return np.concatenate([powers, friction, lost])
+
+    def _friction(
+        self, rows: Rows, rates: np.ndarray, forces: Mapping[str, np.ndarray]
+    ) -> np.ndarray:
+        """(n,) power that friction takes where states have rates (N, n)."""
+        module, lost = self.structure.module, np.zeros(len(rows.t))
+        size = len(module.KINEMATICS)
+        slips = jets(module, self.structure.vector, "kinematics", size, rows.mode, rows.y, rates)[1]
+        ways = ("_x", "_y") if is_by_code(module) else ("",)
+        for point, way in product(module.POINTS, ways):
+            if (name := f"{point}_slip{way}") in module.KINEMATICS:
+                lost -= forces[f"{point}_friction{way}"] * slips[module.KINEMATICS.index(name)]
+        return lost
 
     def at(self, rows: Rows) -> dict[str, np.ndarray]:
         """All of them at times, states and modes, (n,) each by name."""
