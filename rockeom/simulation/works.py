@@ -8,7 +8,7 @@ import numpy as np
 
 from rockeom.codes import REST
 from rockeom.generated.numeric_modes import slips_in
-from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code
+from rockeom.integrator.schema import GeneratedModule, SearchedModes, has_landings, is_by_code
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
@@ -179,30 +179,30 @@ class Works:
         if n > 0:
             lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
-        if is_by_code(module):  # only where a point slips, since to solve for forces takes long
-            slipping = [k for k in np.unique(mode).tolist() if slips_in(k, module.N_POINTS)]
-            some = np.flatnonzero(np.isin(mode, slipping))
-            rows = Rows(t[some], y[some], mode[some])
-            if len(some):
-                rates = np.roll(rows.y.T, -(module.N_STATES // 2), axis=0)  # those of coordinates
-                friction[0, some] = self._friction(rows, rates, self.forces(rows))
-        elif has_landings(module):
-            rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
-            forces = at_states(module, p, "reactions", mode, y, *ground)
-            friction[0] = self._friction(Rows(t, y, mode), rates, forces)
+        if has_landings(module):
+            friction[0] = self._friction(module, Rows(t, y, mode), ground)
         return np.concatenate([powers, friction, lost])
 
-    def _friction(
-        self, rows: Rows, rates: np.ndarray, forces: Mapping[str, np.ndarray]
-    ) -> np.ndarray:
-        """(n,) power that friction takes where states have rates (N, n)."""
-        module, lost = self.structure.module, np.zeros(len(rows.t))
-        size = len(module.KINEMATICS)
-        slips = jets(module, self.structure.vector, "kinematics", size, rows.mode, rows.y, rates)[1]
-        ways = ("_x", "_y") if is_by_code(module) else ("",)
-        for point, way in product(module.POINTS, ways):
-            if (name := f"{point}_slip{way}") in module.KINEMATICS:
-                lost -= forces[f"{point}_friction{way}"] * slips[module.KINEMATICS.index(name)]
+    def _friction(self, m: SearchedModes, rows: Rows, ground: tuple[np.ndarray, ...]) -> np.ndarray:
+        """(n,) power that friction takes."""
+        p, lost = self.structure.vector, np.zeros(len(rows.t))
+        ways: tuple[str, ...] = ("",)
+        some, (t, y, mode) = np.full(len(rows.t), True), rows
+        if is_by_code(m):  # to solve for forces takes long: only where a point slips
+            slips = [k for k in np.unique(mode).tolist() if slips_in(k, len(m.POINTS))]
+            some, ways = np.isin(mode, slips), ("_x", "_y")
+            if not some.any():
+                return lost
+            t, y, mode = (column[some] for column in rows)
+            rates = np.roll(y.T, -(m.N_STATES // 2), axis=0)  # of coordinates alone
+            forces = self.forces(Rows(t, y, mode))
+        else:
+            rates = filled(m, p, "rates", m.N_STATES, mode, y, *ground)
+            forces = at_states(m, p, "reactions", mode, y, *ground)
+        moves = jets(m, p, "kinematics", len(m.KINEMATICS), mode, y, rates)[1]
+        for point, way in product(m.POINTS, ways):
+            if (name := f"{point}_slip{way}") in m.KINEMATICS:
+                lost[some] -= forces[f"{point}_friction{way}"] * moves[m.KINEMATICS.index(name)]
         return lost
 
     def at(self, rows: Rows) -> dict[str, np.ndarray]:
