@@ -71,7 +71,7 @@ def _unbalanced(run: rk.Response) -> Iterator[str]:
         held = {"flight": slip[:0], "rim": slip if rolls else slip[2:]}.get(mode, slip[2:])
         if np.abs(held).max(initial=0.0) > 1e-7 or (not sticks and np.any(force[:2])):
             yield f"at {t:.4g} s in {mode} it slips at {slip} m/s, under {force}"
-        if mode != "flight" and abs(up) > 1e-9:
+        if mode != "flight" and abs(up) > 1e-8:
             yield f"at {t:.4g} s in {mode} the rim is {up} m above the ground"
 
 
