@@ -99,10 +99,9 @@ class Works:
         self.table = np.zeros((n + 1, len(self.names)))
         np.cumsum(np.concatenate(of_steps), axis=0, out=self.table[1:])
         every = np.arange(n)
-        self.first, self.last = (
-            self._energy(self.steps.states(every, np.full(n, x)), self.steps.mode)
-            for x in (0.0, 1.0)
-        )
+        energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
+        self.first, self.largest = energies.sum(axis=0), float(abs(energies).max())
+        self.last = self._energy(self.steps.states(every, np.ones(n)), self.steps.mode)
         times, kinds, states = events
         ends = starts + lengths
         self.rests = np.isin(ends, times[kinds[:, 0] == REST]) & has_landings(structure.module)
@@ -241,8 +240,7 @@ class Works:
         breaks = float(self.breaks[:, -1].sum())
         lost = damping - force
         left = ground - lost - friction - impacts - breaks - gained
-        energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
-        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), abs(energies).max())
+        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), self.largest)
         error = abs(left) / largest if largest else 0.0
         gains = float(self.events.impacts.energy_gains.sum())
         return EnergyBalance(ground, lost, impacts, gained, error, friction, gains, breaks)

@@ -14,7 +14,8 @@ from scipy.optimize import nnls
 
 import rockeom as rk
 from rockeom.codes import REST
-from rockeom.simulation.events import Events
+from rockeom.simulation.events import EventColumns, Events
+from rockeom.simulation.extremes import CHUNK, SHORTEST, Search
 from tests.space.bodies import rotation, spin, spin_rate
 
 CLOSE = 1e-7
@@ -97,16 +98,44 @@ def violations(run: rk.Response, friction: float | None, restitution: float = 0.
     length = Body(structure, run.final).length
     if (error := run.energy_balance().error) > CLOSE:
         yield f"energy is off by {error:.1e}"
-    found = run.extremes_of([f"{foot}_{what}" for foot in feet for what in ("uplift", "reaction")])
-    for foot in feet:
-        lowest, extreme = found[f"{foot}_uplift"].minimum, found[f"{foot}_reaction"]
-        if lowest < -CLOSE * length:
-            yield f"{foot} is {lowest:.1e} m below the ground"
-        if extreme.minimum < -CLOSE * weight:
-            yield from _pulls(run, foot, extreme.minimum_time, weight)
+    for foot, (height, force) in zip(feet, _least(run).T, strict=True):
+        if height < -CLOSE * length:  # perhaps: the extremes are found more exactly
+            height = run.extremes(f"{foot}_uplift").minimum
+        if height < -CLOSE * length:
+            yield f"{foot} is {height:.1e} m below the ground"
+        if force < -CLOSE * weight:
+            lowest = run.extremes(f"{foot}_reaction")
+            if lowest.minimum < -CLOSE * weight:
+                yield from _pulls(run, foot, lowest.minimum_time, weight)
     yield from _unbalanced(run, weight, friction)
     yield from _wrong_impacts(run, friction, restitution)
     yield from _wrong_rests(run, friction)
+
+
+def _least(run: rk.Response) -> np.ndarray:
+    """(2, m) least height and force of each foot, or less.
+
+    At nine places of each step, and where parabolas through three of them turn.
+    """
+    names, found = [f"{foot}_reaction" for foot in run.structure.module.POINTS], []
+    search = Search.within(run.steps, run._quantities.columns([*run.states, *names]))
+    for first in range(0, len(run.steps), CHUNK):
+        last = min(first + CHUNK, len(run.steps))
+        _, _, values = search.grid(first, last)
+        state = dict(zip(run.states, np.moveaxis(values, -1, 0), strict=False))
+        both = np.stack([Body(run.structure, state).heights, values[..., len(run.states) :]])
+        both[1, run.steps.span[first:last, 1] < SHORTEST, 1:-1] = np.inf  # see SHORTEST
+        found += [both.min((1, 2)), _turning(both).min((1, 2))]
+    return np.min(found, axis=0)
+
+
+def _turning(values: np.ndarray) -> np.ndarray:
+    """Least values of parabolas through three places of values (2, n, k, m); inf of others."""
+    before, here, after = values[:, :, :-2], values[:, :, 1:-1], values[:, :, 2:]
+    with np.errstate(all="ignore"):
+        bend, slope = before - 2.0 * here + after, (after - before) / 2.0
+        turns = (bend > 0.0) & (np.abs(slope) < bend)
+        return np.where(turns, here - slope**2 / (2.0 * bend), np.inf)
 
 
 def _pulls(run: rk.Response, foot: str, lowest: float, weight: float) -> Iterator[str]:
@@ -237,21 +266,25 @@ def _but_across_slow_slips(
 
 def _wrong_impacts(run: rk.Response, friction: float | None, restitution: float) -> Iterator[str]:
     """Impulses of feet give the change of momentum and no energy, and gaps open as e has it."""
-    impacts = run.impacts
-    if not len(impacts):
+    module, (t, kinds, _) = run.structure.module, run.impacts.columns
+    if not len(t):
         return
-    (before, after), feet = _sides(run, impacts), run.structure.module.POINTS
+    (before, after), feet = _sides(run, run.impacts), module.POINTS
     gained, scale = after.momentum - before.momentum, np.array([1.0] * 3 + [1 / before.length] * 3)
     size = np.abs(before.momentum * scale).max(-1) + 1e-300
     arrives, leaves = before.velocities, after.velocities
-    slips, t = leaves + restitution * arrives, impacts.times
+    slips = leaves + restitution * arrives
     for i in np.flatnonzero(after.energy > (1.0 + 1e-9) * before.energy):
         yield f"the energy grows {after.energy[i] / before.energy[i]:.9g} times at {t[i]:.6g} s"
-    closed = states_of([impact.mode_after for impact in impacts], feet) != OPEN
-    closed |= states_of([impact.contact for impact in impacts], feet) != OPEN
-    touches = closed | (states_of([impact.mode_before for impact in impacts], feet) != OPEN)
-    for i, touching in enumerate(touches):
-        touching = np.flatnonzero(touching)
+    was, follows = (states_of([module.MODES[i] for i in kinds[:, k]], feet) for k in (1, 2))
+    lands = np.arange(len(feet)) == kinds[:, 3:]
+    beside = (before.heights < 1e-9 * before.length) & (arrives[..., 2] < 0.0) & ~lands
+    some = np.flatnonzero((beside & (follows == OPEN)).any(-1))  # which may land, too
+    events = Events(run.structure, EventColumns(*(column[some] for column in run.impacts.columns)))
+    lands[some] |= states_of([event.contact for event in events], feet) != OPEN
+    closed = lands | (follows != OPEN)
+    for i, touches in enumerate(closed | (was != OPEN)):
+        touching = np.flatnonzero(touches)
         left = _left_by_friction(before, i, slips[i], touching, gained[i], friction)
         if left > 1e-6 * size[i]:
             yield f"impulses at {t[i]:.6g} s lack {left / size[i]:.1e} of the momentum"
@@ -292,7 +325,7 @@ def _wrong_rests(run: rk.Response, friction: float | None) -> Iterator[str]:
         left = _left_by_friction(before, i, slips, np.flatnonzero(near[i]), gained[i], friction)
         if left > max(1e-6 * size[i], (LAST_SLIP if friction else HOP) * before.mass):
             yield f"impulses of the rest at {t:.6g} s lack {left / before.mass:.1e} m/s"
-        if after.energy[i] > before.energy[i] * (1.0 + 1e-6) + work[i]:
+        if after.energy[i] > before.energy[i] * (1.0 + 1e-6) + work[i] + before.mass * HOP**2:
             yield f"the energy grows over the rest at {t:.6g} s"
 
 
