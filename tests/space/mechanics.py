@@ -283,16 +283,20 @@ def _wrong_impacts(run: rk.Response, friction: float | None, restitution: float)
     events = Events(run.structure, EventColumns(*(column[some] for column in run.impacts.columns)))
     lands[some] |= states_of([event.contact for event in events], feet) != OPEN
     closed = lands | (follows != OPEN)
-    for i, touches in enumerate(closed | (was != OPEN)):
-        touching = np.flatnonzero(touches)
-        left = _left_by_friction(before, i, slips[i], touching, gained[i], friction)
+    touches = closed | (was != OPEN)
+    for i, touching in enumerate(touches):
+        left = _left_by_friction(before, i, slips[i], np.flatnonzero(touching), gained[i], friction)
         if left > 1e-6 * size[i]:
             yield f"impulses at {t[i]:.6g} s lack {left / size[i]:.1e} of the momentum"
-    fastest = np.abs(arrives[..., 2]).max(-1, keepdims=True)
-    most = -restitution * np.minimum(arrives[..., 2], 0.0) - 1e-9 * fastest - 1e-12
-    for i, foot in np.argwhere(closed & (leaves[..., 2] < most)):
-        rises, falls = leaves[i, foot, 2], arrives[i, foot, 2]
-        yield f"{feet[foot]} leaves at {rises:.3g} m/s after {falls:.3g} at {t[i]:.6g} s"
+    falls, fastest = arrives[..., 2], np.linalg.norm(arrives, axis=-1).max(-1, keepdims=True)
+    small = 1e-9 * np.abs(falls).max(-1, keepdims=True) + 5e-11 * fastest
+    low = leaves[..., 2] < -restitution * np.minimum(falls, 0.0) - small
+    for i, foot in np.argwhere(closed & low):
+        others = np.flatnonzero(touches[i] & (np.arange(len(feet)) != foot))
+        left = _left_by_friction(before, i, slips[i], others, gained[i], friction)
+        if left > 1e-6 * size[i] or follows[i, foot] != OPEN:  # or it lands a moment later
+            rises, fell = leaves[i, foot, 2], falls[i, foot]
+            yield f"{feet[foot]} leaves at {rises:.3g} m/s after {fell:.3g} at {t[i]:.6g} s"
 
 
 def _sides(run: rk.Response, events: Events) -> list[Body]:
