@@ -90,3 +90,11 @@ def test_a_slip_whose_force_grows_beyond_all_bounds_ends_by_an_impact():
     slips = [Body(run.structure, x).velocity_of(jam.contact) for x in (jam.before, jam.after)]
     np.testing.assert_allclose(slips[1], -0.5 * slips[0], atol=1e-12)
     assert not list(violations(run, *laws))
+
+
+@pytest.mark.parametrize("seed", [7000210, 7007450])
+def test_an_edge_whose_corners_slip_apart_is_followed_where_sweeps_go_round_in_circles(seed):
+    """Friction of 1.3: sweeps over impulses let one corner open and close without end."""
+    run, *laws = on_feet(seed, rubs=1.5)
+    assert run.outcome.value == "overturned"
+    assert not list(violations(run, *laws))

@@ -75,6 +75,7 @@ MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
 MOST_HALVES = 70  # of yields, which are within 36 powers of ten
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
+MOST_PROJECTIONS = 4000  # onto their cones, where sweeps have no end
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
 
 
@@ -311,9 +312,12 @@ def swept(candidate, sliding, wanted, contact, impulse, rates_after):
     for rounding; a slip that goes on has its direction. impulse (ROWS,), and rates_after (ROWS,),
     by which gaps and slips then change, or their rates.
     """
+    change, largest = np.inf, LEAST_SIZE
     for r in range(ROWS):
         impulse[r] = 0.0
     for _ in range(MOST_SWEEPS):
+        if change <= SWEPT * largest:
+            break
         change, largest = 0.0, LEAST_SIZE
         for i in range(N_POINTS):
             if digit_of(candidate, i) == OPEN:
@@ -326,10 +330,45 @@ def swept(candidate, sliding, wanted, contact, impulse, rates_after):
             largest = max(largest, impulse[row])
             if not is_smooth(i):
                 change = max(change, rubbed(i, sliding, wanted, contact, impulse))
-        if change <= SWEPT * largest:
-            break
+    if change > SWEPT * largest:
+        projected(candidate, sliding, wanted, contact, impulse)
     for r in range(ROWS):
         rates_after[r] = exceeds(r, wanted, contact, impulse)
+
+
+@rolled
+def projected(candidate, sliding, wanted, contact, impulse):
+    """The same as `swept` where sweeps go round in circles, as they may where friction is large.
+
+    The impulse of a point changes against its velocity, that of the gap raised by mu times that of
+    the slip, and is projected onto the cone of friction (de Saxce and Feng, 1998), in small steps.
+    """
+    for _ in range(MOST_PROJECTIONS):
+        change, largest = 0.0, LEAST_SIZE
+        for i in range(N_POINTS):
+            if digit_of(candidate, i) == OPEN:
+                continue
+            row, mu, own = DIRECTIONS * i, contact[LAWS + 2 * i + 1], 0.0
+            for k in range(DIRECTIONS):
+                own += contact[COUPLING + (row + k) * (ROWS + 1)]
+            normal, before = exceeds(row, wanted, contact, impulse), impulse[row]
+            if sliding[i] != 0.0 or not rubs(i, contact):
+                impulse[row] = max(before - normal / own, 0.0)
+                if not is_smooth(i):
+                    rubbed(i, sliding, wanted, contact, impulse)
+            else:
+                u = exceeds(row + 1, wanted, contact, impulse)
+                v = exceeds(row + 2, wanted, contact, impulse)
+                x, y = impulse[row + 1] - u / own, impulse[row + 2] - v / own
+                press = before - (normal + mu * math.sqrt(u * u + v * v)) / own
+                size = math.sqrt(x * x + y * y)
+                if size > mu * press:
+                    press = max((mu * size + press) / (1.0 + mu * mu), 0.0)
+                    x, y = mu * press * x / size, mu * press * y / size
+                impulse[row], impulse[row + 1], impulse[row + 2] = press, x, y
+            change, largest = max(change, abs(impulse[row] - before)), max(largest, impulse[row])
+        if change <= SWEPT * largest:
+            break
 
 
 def rubbed(point, sliding, wanted, contact, impulse):
