@@ -43,6 +43,7 @@ from rockeom.codes import (
     STEPPED_OVER,
     STEPS,
     STEPS_KEPT,
+    STICKING,
     TIME,
     TOO_MANY_IMPACTS,
 )
@@ -133,6 +134,7 @@ from rockeom.integrator.tolerances import (
     PLACED_BY_QUINTIC,
     SAME_INSTANT,
     SHORTEST_PART,
+    SPEED_AT_STOP,
 )
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
@@ -532,6 +534,8 @@ def land(motion, ground, step, case, a):
     else:
         guards(motion.mode, a.y_new, case.p, *ground_accelerations(ground, tau), a.g)
         value, slope = a.g[step.target], step.slope
+        if AXES == 3 and kind_of(motion.mode, step.target) == STICKING:
+            value -= min(SPEED_AT_STOP, case.rtol)
         if BENT and step.corrections > 0 and (value - step.value) * step.moved < 0.0:
             slope = (value - step.value) / step.moved
         move = -value / slope if slope < 0.0 else 0.0

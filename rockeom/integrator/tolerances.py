@@ -212,10 +212,15 @@ SOON = 1e-6
 SOON_IN_STEP = 1e-5
 # Relative to the force that holds a structure: that of a slip for which no step is short enough.
 JAMMED = 10.0
-# [m/s, rad/s] the velocity with which a slip in space begins, so that it has a direction.
+# [m/s, rad/s] the most of the velocity with which a slip in space begins, so that it has a
+# direction. It is the error of a state after many steps, since the motion keeps it for good.
 FIRST_SLIP = 1e-8
-# [m/s] the same of the slowest of several, and the most of the fastest for its sake.
-LEAST_FIRST_SLIP, MOST_FIRST_SLIP = 1.5e-10, 1e-7
+# [m/s] the least of it, and of the slowest of several; the most of the fastest for its sake.
+LEAST_FIRST_SLIP, MOST_FIRST_SLIP = 1.5e-13, 1e-7
+# [m/s] the most of that with which it ends, or rtol: a slower one has no direction left.
+SPEED_AT_STOP = 1e-10
+# [s] the first step after it begins: a longer one, which is not stable, makes much of rounding.
+FIRST_STEP_OF_SLIP = 1e-6
 # Relative to the fastest slip that begins: a slower one is that of a point about which others turn.
 A_PIVOT = 2e-6
 # Relative to how a point yields along the ground: the direction of a slip that begins is known.

@@ -115,7 +115,7 @@ class Prism(_StandingBody):
 
     Friction is Coulomb's: corners stick as long as some share of the force along the ground lies
     in the cones of all, and slip against their friction. A slip begins with a velocity of 1e-8 m/s,
-    which gives it its direction.
+    which gives it its direction, and with less where `rtol` is below its default.
 
     Examples
     --------

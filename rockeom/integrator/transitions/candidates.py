@@ -574,18 +574,18 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
-    start_slips(follows, sliding, out, p, shaking, contact)
+    start_slips(follows, sliding, out, p, shaking, rtol, contact)
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
 
 
-def start_slips(mode, sliding, y, p, shaking, contact):
+def start_slips(mode, sliding, y, p, shaking, rtol, contact):
     """Give slips that begin in a mode their first velocity in y, where friction depends on it."""
     if slips_begin(mode, sliding):
         wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
         without_forces(y, p, shaking, mode, contact, wanted, sizes)
-        begin_slips(mode, sliding, wanted, contact, y)
+        begin_slips(mode, sliding, wanted, STEPS_ERROR * rtol, contact, y)
 
 
 def at_rest_along(point, slip, mode, y, p, shaking, contact):

@@ -252,7 +252,7 @@ def aim_slips(mode, sliding, wanted, contact, motion):
 
 
 @inlined
-def begin_slips(mode, sliding, wanted, contact, y):
+def begin_slips(mode, sliding, wanted, speed, contact, y):
     """Slips begin by themselves."""
     pass
 

@@ -675,8 +675,11 @@ def aim_slips(mode, sliding, wanted, contact, motion):
     return with_directions(mode, sliding, wanted, contact, share, motion) >= 0
 
 
-def begin_slips(mode, sliding, wanted, contact, y):
-    """Let slips begin that have no velocity yet, which gives friction its direction."""
+def begin_slips(mode, sliding, wanted, speed, contact, y):
+    """Let slips begin that have no velocity yet, which gives friction its direction.
+
+    speed : [m/s] that of the fastest, but for FIRST_SLIP and LEAST_FIRST_SLIP.
+    """
     motion, largest = np.zeros(N_COORDINATES), 0.0
     if not aim_slips(mode, sliding, wanted, contact, motion):
         return
@@ -684,7 +687,7 @@ def begin_slips(mode, sliding, wanted, contact, y):
         largest = max(largest, abs(motion[i]))
     if largest == 0.0:
         return
-    first = FIRST_SLIP / largest
+    first = min(FIRST_SLIP, max(LEAST_FIRST_SLIP, speed)) / largest
     for i in range(N_POINTS):  # the slowest of them must not seem to have ended
         if slips_by(digit_of(mode, i)) and sliding[i] == 0.0:
             slip, _ = slip_of(contact, i, motion, 0)

@@ -16,8 +16,10 @@ from rockeom.codes import (
     OVERTURNED,
     SEVERAL_SOLUTIONS,
     SLIP_RIGHT,
+    SLIPPING,
     STALLED,
     STAYS_OPEN,
+    STICKING,
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined
@@ -38,7 +40,12 @@ from rockeom.integrator.provided import (
 from rockeom.integrator.recorder import end_at_bound, enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
-from rockeom.integrator.tolerances import JAMMED, SAME_INSTANT, SOON_IN_STEP
+from rockeom.integrator.tolerances import (
+    FIRST_STEP_OF_SLIP,
+    JAMMED,
+    SAME_INSTANT,
+    SOON_IN_STEP,
+)
 from rockeom.integrator.transitions.candidates import (
     GROUND_SIZE,
     fits_by_forces,
@@ -164,7 +171,10 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         return motion._replace(outcome=failure_of(mode, a.y, case.p)), rest
     if kind == SWITCH:
         closed = still_closed(motion.mode, mode, guard, motion.closed, closed)
-    return enter_mode(motion, guard, mode, closed, a, recorder), Rest(np.inf, mode, False)
+    went = enter_mode(motion, guard, mode, closed, a, recorder)
+    if DIRECTIONS == 3 and kind in (SLIPPING, STICKING):
+        went = went._replace(h_next=min(went.h_next, FIRST_STEP_OF_SLIP))
+    return went, Rest(np.inf, mode, False)
 
 
 @inlined

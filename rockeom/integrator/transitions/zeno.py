@@ -517,7 +517,7 @@ def all_closed(state, bounces, start, time, rtol, contact, out):
     ground = np.empty(GROUND_SIZE)
     ground_now_and_later(shaking, shaking, SOON_AT_REST, ground)
     follows = select_by_forces(here, False, near, sliding, out, p, ground, rtol, contact, sizes)
-    start_slips(follows, sliding, out, p, shaking, contact)
+    start_slips(follows, sliding, out, p, shaking, rtol, contact)
     return follows
 
 
