@@ -119,13 +119,15 @@ def _least(run: rk.Response) -> np.ndarray:
     """
     names, found = [f"{foot}_reaction" for foot in run.structure.module.POINTS], []
     search = Search.within(run.steps, run._quantities.columns([*run.states, *names]))
-    for first in range(0, len(run.steps), CHUNK):
-        last = min(first + CHUNK, len(run.steps))
-        _, _, values = search.grid(first, last)
-        state = dict(zip(run.states, np.moveaxis(values, -1, 0), strict=False))
-        both = np.stack([Body(run.structure, state).heights, values[..., len(run.states) :]])
-        both[1, run.steps.span[first:last, 1] < SHORTEST, 1:-1] = np.inf  # see SHORTEST
-        found += [both.min((1, 2)), _turning(both).min((1, 2))]
+    short = run.steps.span[:, 1] < SHORTEST  # of these the ends count
+    for places, steps in ((2, np.flatnonzero(short)), (9, np.flatnonzero(~short))):
+        for first in range(0, len(steps), CHUNK):
+            some = steps[first : first + CHUNK]
+            x = np.tile(np.linspace(0.0, 1.0, places), len(some))
+            values = search.at(np.repeat(some, places), x)[1].reshape(len(some), places, -1)
+            state = dict(zip(run.states, np.moveaxis(values, -1, 0), strict=False))
+            both = np.stack([Body(run.structure, state).heights, values[..., len(run.states) :]])
+            found += [both.min((1, 2)), _turning(both).min((1, 2), initial=np.inf)]
     return np.min(found, axis=0)
 
 
