@@ -37,7 +37,7 @@ def _faster(run, by):
     )
 
 
-@pytest.mark.parametrize("seed", [0, 10])
+@pytest.mark.parametrize("seed", [11, 15])
 def test_laws_of_mechanics_notice_what_is_wrong_by_little(seed):
     run, friction, restitution = on_feet(seed, rubs=1.5, bounces=True)
     between, after = _faster(run, 1e-5)
