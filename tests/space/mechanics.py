@@ -28,6 +28,8 @@ HOP = 5e-6
 """[m/s] of hops of 1e-12 m, which are lost among the digits of places: they end at once."""
 LAST_SLIP = 5e-5
 """[m/s] of slips that end with bounces, which are no faster."""
+FIRST_SLIP = 2e-8
+"""[m/s] with which slips begin, as friction then has a direction."""
 OPEN, BEARS, SLIDES, RELEASED, IDLES = range(5)
 
 
@@ -119,13 +121,15 @@ def _least(run: rk.Response) -> np.ndarray:
     """
     names, found = [f"{foot}_reaction" for foot in run.structure.module.POINTS], []
     search = Search.within(run.steps, run._quantities.columns([*run.states, *names]))
-    for first in range(0, len(run.steps), CHUNK):
-        last = min(first + CHUNK, len(run.steps))
-        _, _, values = search.grid(first, last)
-        state = dict(zip(run.states, np.moveaxis(values, -1, 0), strict=False))
-        both = np.stack([Body(run.structure, state).heights, values[..., len(run.states) :]])
-        both[1, run.steps.span[first:last, 1] < SHORTEST, 1:-1] = np.inf  # see SHORTEST
-        found += [both.min((1, 2)), _turning(both).min((1, 2))]
+    short = run.steps.span[:, 1] < SHORTEST  # of these the ends count
+    for places, steps in ((2, np.flatnonzero(short)), (9, np.flatnonzero(~short))):
+        for first in range(0, len(steps), CHUNK):
+            some = steps[first : first + CHUNK]
+            x = np.tile(np.linspace(0.0, 1.0, places), len(some))
+            values = search.at(np.repeat(some, places), x)[1].reshape(len(some), places, -1)
+            state = dict(zip(run.states, np.moveaxis(values, -1, 0), strict=False))
+            both = np.stack([Body(run.structure, state).heights, values[..., len(run.states) :]])
+            found += [both.min((1, 2)), _turning(both).min((1, 2), initial=np.inf)]
     return np.min(found, axis=0)
 
 
@@ -271,10 +275,12 @@ def _wrong_impacts(run: rk.Response, friction: float | None, restitution: float)
         return
     (before, after), feet = _sides(run, run.impacts), module.POINTS
     gained, scale = after.momentum - before.momentum, np.array([1.0] * 3 + [1 / before.length] * 3)
-    size = np.abs(before.momentum * scale).max(-1) + 1e-300
+    begins = FIRST_SLIP if friction else 1e-150
+    small = 1e-6 * np.abs(before.momentum * scale).max(-1) + begins * before.mass
     arrives, leaves = before.velocities, after.velocities
     slips = leaves + restitution * arrives
-    for i in np.flatnonzero(after.energy > (1.0 + 1e-9) * before.energy):
+    most = (1.0 + 1e-9) * before.energy + before.mass * begins**2
+    for i in np.flatnonzero(after.energy > most):
         yield f"the energy grows {after.energy[i] / before.energy[i]:.9g} times at {t[i]:.6g} s"
     was, follows = (states_of([module.MODES[i] for i in kinds[:, k]], feet) for k in (1, 2))
     lands = np.arange(len(feet)) == kinds[:, 3:]
@@ -286,15 +292,15 @@ def _wrong_impacts(run: rk.Response, friction: float | None, restitution: float)
     touches = closed | (was != OPEN)
     for i, touching in enumerate(touches):
         left = _left_by_friction(before, i, slips[i], np.flatnonzero(touching), gained[i], friction)
-        if left > 1e-6 * size[i]:
-            yield f"impulses at {t[i]:.6g} s lack {left / size[i]:.1e} of the momentum"
+        if left > small[i]:
+            yield f"impulses at {t[i]:.6g} s lack {left / before.mass:.1e} m/s"
     falls, fastest = arrives[..., 2], np.linalg.norm(arrives, axis=-1).max(-1, keepdims=True)
-    small = 1e-9 * np.abs(falls).max(-1, keepdims=True) + 5e-11 * fastest
-    low = leaves[..., 2] < -restitution * np.minimum(falls, 0.0) - small
+    digits = 1e-9 * np.abs(falls).max(-1, keepdims=True) + 5e-11 * fastest
+    low = leaves[..., 2] < -restitution * np.minimum(falls, 0.0) - digits
     for i, foot in np.argwhere(closed & low):
         others = np.flatnonzero(touches[i] & (np.arange(len(feet)) != foot))
         left = _left_by_friction(before, i, slips[i], others, gained[i], friction)
-        if left > 1e-6 * size[i] or follows[i, foot] != OPEN:  # or it lands a moment later
+        if left > small[i] or follows[i, foot] != OPEN:  # or it lands a moment later
             rises, fell = leaves[i, foot, 2], falls[i, foot]
             yield f"{feet[foot]} leaves at {rises:.3g} m/s after {fell:.3g} at {t[i]:.6g} s"
 
