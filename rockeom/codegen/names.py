@@ -32,8 +32,8 @@ TRANSITIONS
 BOUNDS ELEMENTS ELEMENT_STATES EQUATIONS FEET_OF HELD_ACROSS IMAGES N_ELEMENTS N_INTERNAL
 N_POINTS PATTERNS POINTS TIES POINT_STATES QUICK SHARED SIGMAS SUBJECTS
 
-guards_in_code motion_in_code motion_without_slips rows_of_points slips_in solve_mode digit_of
-tables_by_code told share bears
+guards_in_code motion_in_code move_by_squares press_by_squares gaps_of_points rows_in rows pivots
+squares slips_in solve_mode digit_of tables_by_code told share bears
 BY_CODE FIRST_BOUND IDLES SMOOTH N_BOUNDS_OF_DECLARATION
 """
 """Names of Python and its libraries, of functions, their arguments and tables in the text."""

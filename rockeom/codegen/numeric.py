@@ -7,11 +7,14 @@ The module holds the free motion and the points. The forces of a mode are solved
 from rockeom.codegen.outputs import Columns
 from rockeom.codegen.points import functions_of_points, impact_law
 from rockeom.codegen.tables import table
-from rockeom.codegen.text import Text
+from rockeom.codegen.text import Text, branched
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.reactions import total_reaction
 
-_SOLVER = ("digit_of", "guards_in_code", "motion_in_code", "motion_without_slips", "slips_in")
+_SOLVER = (
+    "digit_of", "guards_in_code", "motion_in_code", "move_by_squares", "press_by_squares",
+    "rows_in", "slips_in",
+)  # fmt: skip
 _TABLES = (
     "MODES", "POINT_STATES", "KINDS", "SUBJECTS", "SHARED", "GUARDS", "ELEMENT_STATES", "SIDES",
     "TARGETS", "REVERSE", "PARTS",
@@ -29,26 +32,34 @@ def numeric(text: Text, of: ContactDeclaration) -> tuple[dict[str, Columns], lis
     return {"REACTIONS": columns}, _tables(of)
 
 
-def _arrays(text: Text, of: ContactDeclaration) -> list[str]:
-    """Lines that make room for what `solve_mode` finds."""
+def _told(text: Text, of: ContactDeclaration) -> list[str]:
+    """Lines that make room for what `solve_mode` finds besides accelerations."""
     n, m = text.n, len(of.contacts)
-    return [
-        f"    accelerations, share = np.empty({n}), np.empty({3 * m})",
-        f"    told = np.empty({m * (9 + 3 * n)})",
-    ]
+    return [f"    told, share = np.empty({m * (9 + 3 * n)}), np.empty({3 * m})"]
 
 
-def _free(text: Text, points: str) -> list[str]:
-    """Lines that tell of the motion without contact, and of the points, in a state y."""
-    return [
-        f"    matrix, forces = np.empty({text.n**2}), np.empty({text.n})",
-        f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
-        f"    {points}(y, p, told)",
-    ]
+def _arrays(text: Text, of: ContactDeclaration) -> list[str]:
+    return [f"    accelerations = np.empty({text.n})", *_told(text, of)]
+
+
+def _in(lines: list[str]) -> list[str]:
+    """The lines of a branch."""
+    return [f"    {line}" for line in lines]
 
 
 def _solved(text: Text) -> str:
     return f"    solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)"
+
+
+def _equations(text: Text, m: int) -> list[str]:
+    """Lines that write down the equations of motion where nothing slips."""
+    n = text.n
+    return [
+        f"    matrix, forces, squares = np.empty({n**2}), np.empty({n}), np.empty({n * (n + 1)})",
+        f"    rows, pivots = np.empty({3 * m}, np.int64), np.empty({n}, np.int64)",
+        f"    rows_in(mode, {m}, SMOOTH, rows)",
+        f"    equations(y, p, {text.shaking}, mode, rows, matrix, forces, squares)",
+    ]
 
 
 def _solver(text: Text, of: ContactDeclaration) -> None:
@@ -57,7 +68,9 @@ def _solver(text: Text, of: ContactDeclaration) -> None:
         f"solve_mode(mode, y, p, {text.shaking}, told, accelerations, share)",
         "Rows and laws of points in a state into told, and the motion and forces of a mode.",
         [
-            *_free(text, "points"),
+            f"    matrix, forces = np.empty({n**2}), np.empty({n})",
+            f"    free_motion(y, p, {text.shaking}, mode, matrix, forces)",
+            "    points(y, p, told)",
             f"    point_laws(p, told[{m * (7 + 3 * n)}:])",
             "    motion_in_code(",
             f"        mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations, share",
@@ -70,19 +83,19 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
     """Rates of all states on arrays, and accelerations of plain numbers."""
     n, m = text.n, len(of.contacts)
     internal = {f"dy[{text.index(z.symbol)}]": e for z, e in of.internal.items()}
+    sticks = [
+        *_equations(text, m),
+        f"    move_by_squares({n}, matrix, forces, squares, pivots, accelerations)",
+    ]
+    slides = [*_told(text, of), _solved(text)]
+    way = branched([(f"slips_in(mode, {m})", _in(slides)), ("", _in(sticks))], True)
     text.function(
         f"rates(mode, y, p, {text.shaking}, dy)",
         f"Rates of the states y (N,) under ground accelerations {text.shaking} [m/s2], "
         "into dy (N,).",
         [
-            *_arrays(text, of),
-            f"    if slips_in(mode, {m}):",
-            f"    {_solved(text)}",
-            "    else:",
-            *(f"    {line}" for line in _free(text, "rows_of_points")),
-            "        motion_without_slips(",
-            f"            mode, {n}, {m}, SMOOTH, matrix, forces, told, accelerations",
-            "        )",
+            f"    accelerations = np.empty({n})",
+            *(way if _rub(of) else sticks),
             f"    for i in range({n}):",
             f"        dy[i], dy[{n} + i] = y[{n} + i], accelerations[i]",
             *text.evaluate("rates", internal, "    "),
@@ -112,23 +125,36 @@ def _motion(text: Text, of: ContactDeclaration) -> None:
     )
 
 
+def _rub(of: ContactDeclaration) -> bool:
+    """Whether points may slip with friction."""
+    laws = [c.law for c in of.contacts]
+    return any(law.friction is not None and not law.frictionless for law in laws)
+
+
 def _guards_of_points(of: ContactDeclaration) -> int:
     """One of each point, and two more where points may slip with friction."""
-    laws = [c.law for c in of.contacts]
-    rub = any(law.friction is not None and not law.frictionless for law in laws)
-    return (3 if rub else 1) * len(laws)
+    return (3 if _rub(of) else 1) * len(of.contacts)
 
 
 def _guards(text: Text, of: ContactDeclaration) -> None:
     n, m = text.n, len(of.contacts)
     first = _guards_of_points(of)
+    pressing = [  # normal forces and gaps are enough
+        *_equations(text, m),
+        "    gaps_of_points(y, p, told)",
+        f"    point_laws(p, told[{m * (7 + 3 * n)}:])",
+        "    press_by_squares(",
+        f"        {n}, {m}, matrix, forces, squares, rows, pivots, told, accelerations,",
+        "        share",
+        "    )",
+    ]
     bounds = {f"g[{first + i}]": e for i, e in enumerate(of.limits.values())}
     text.function(
         f"guards(mode, y, p, {text.shaking}, g)",
         "Guards of a mode into g (N_GUARDS,): all positive in it; the first to fall ends it.",
         [
             *_arrays(text, of),
-            _solved(text),
+            *([_solved(text)] if _rub(of) else pressing),
             f"    guards_in_code(mode, {n}, {m}, SMOOTH, told, share, g)",
             *text.evaluate("guards", bounds, "    ", hoist=True),
         ],

@@ -1,9 +1,10 @@
 """Free motion and points of a structure whose contacts were declared: the same in all modes."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
+from rockeom.codegen.printer import assign, python
 from rockeom.codegen.text import Text
 from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
 from rockeom.symbolic.algebra import tidy
@@ -14,10 +15,12 @@ from rockeom.symbolic.modes.balance import free_motion
 
 def functions_of_points(text: Text, of: ContactDeclaration) -> None:
     """Add all of them."""
-    _free_motion(text, of)
-    _points(text, of)
+    free, told = _free_motion(text, of), _points(text, of)
     _point_laws(text, of)
-    if of.impact_law != "newton" and not of.by_code:
+    if of.by_code:
+        _gaps(text, told)
+        _equations(text, of, free, told)
+    elif of.impact_law != "newton":
         _point_numbers(text, of)
 
 
@@ -33,7 +36,7 @@ def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
     return text.evaluate(name, targets, "    ", hoist=in_space) or ["    pass"]
 
 
-def _free_motion(text: Text, of: ContactDeclaration) -> None:
+def _free_motion(text: Text, of: ContactDeclaration) -> dict[str, sp.Expr]:
     n = text.n
     matrix, forces = free_motion(of)
     inertia = sp.diag(matrix, *([0] * len(of.internal)))  # internal variables have none
@@ -45,6 +48,7 @@ def _free_motion(text: Text, of: ContactDeclaration) -> None:
         text.read_switches("    ")
         + text.evaluate("free_motion", targets, "    ", hoist=of.by_code),
     )
+    return targets
 
 
 def _still(of: ContactDeclaration) -> list[sp.Expr]:
@@ -52,8 +56,9 @@ def _still(of: ContactDeclaration) -> list[sp.Expr]:
     return [sp.S.Zero] * len(of.internal)
 
 
-def _points(text: Text, of: ContactDeclaration) -> None:
-    coordinates = of.coordinates
+def _points(text: Text, of: ContactDeclaration) -> list[list[sp.Expr]]:
+    """Add `points`; returns what it tells of each."""
+    coordinates, told = of.coordinates, []
     targets: dict[str, sp.Expr] = {}
     still = {c.acceleration: 0 for c in coordinates}
     size = 1 + (3 if of.by_code else 2) * (2 + text.n)
@@ -67,8 +72,9 @@ def _points(text: Text, of: ContactDeclaration) -> None:
             for slope in (*(contact.now(e.diff(c.position)) for c in coordinates), *_still(of))
         ]
         # of a rim as they come: by cosines, as `tidy` may write it, a small tilt has no digits
-        for j, e in enumerate([followed[0], *rates, *biases, *slopes]):
-            targets[f"out[{size * i + j}]"] = e if contact.material else tidy(e)
+        values = [followed[0], *rates, *biases, *slopes]
+        told.append([e if contact.material else tidy(e) for e in values])
+        targets |= {f"out[{size * i + j}]": e for j, e in enumerate(told[-1])}
     text.function(
         "points(y, p, out)",
         f"""For each point from out[i * {size}]: gap, its rate and the slip's, biases, rows.
@@ -76,13 +82,81 @@ def _points(text: Text, of: ContactDeclaration) -> None:
     gap'' = J_N q'' + bias, and so the slip. The rows are J_N (n), then J_T (n).""",
         _every(text, "points", targets),
     )
-    if of.by_code:
-        rows = {k: e for i, (k, e) in enumerate(targets.items()) if i % size > 3}
-        text.function(
-            "rows_of_points(y, p, out)",
-            "Biases and rows alone, where `points` puts them.",
-            _every(text, "rows_of_points", rows),
-        )
+    return told
+
+
+def _gaps(text: Text, told: list[list[sp.Expr]]) -> None:
+    """Add a part of `points`."""
+    size = len(told[0])
+    wanted = (0, *range(7, 7 + text.n))
+    targets = {f"out[{size * i + j}]": of[j] for i, of in enumerate(told) for j in wanted}
+    text.function(
+        "gaps_of_points(y, p, out)",
+        "Gaps and their rows alone, where `points` puts them.",
+        _every(text, "gaps_of_points", targets),
+    )
+
+
+def _equations(
+    text: Text, of: ContactDeclaration, free: Mapping[str, sp.Expr], told: list[list[sp.Expr]]
+) -> None:
+    """Add the equations of motion of any mode; most of the rows of points are zeros and ones.
+
+    Behind the sine and the cosine of the first angle, that of the outermost rotation, slips along x
+    and along y have the same factors, and so have points behind those of the second.
+    """
+    n, values, held = text.n, dict(free), list[str]()
+    for point, (contact, as_told) in enumerate(zip(of.contacts, told, strict=True)):
+        angles = () if contact.material else _angles(text, as_told)[:2]
+        of_point, rows = [_by_sines(e, angles) for e in as_told], []
+        for k in range(3):
+            row = [*of_point[7 + n * k : 7 + n * (k + 1)], of_point[4 + k]]
+            names = [sp.Symbol(f"r{(3 * point + k) * (n + 1) + j}") for j in range(n + 1)]
+            moving = {name: e for name, e in zip(names, row, strict=True) if not e.is_number}
+            values |= {str(name): e for name, e in moving.items()}
+            rows.append([e if e.is_number else x for x, e in zip(names, row, strict=True)])
+        held += [f"    if rows[{3 * point}] == 1:", *_products(rows[:1], " " * 8)]
+        held += [f"        if rows[{3 * point + 1}] == 1:", *_products(rows[1:], " " * 12)]
+    text.function(
+        f"equations(y, p, {text.shaking}, mode, rows, matrix, forces, g)",
+        """M and f of `free_motion`, and J'J of the rows that are held, -J' bias behind it, into g.
+
+    rows (3 m,) : 1 where a row of a point is held. g (n, n + 1) : above its diagonal alone.""",
+        [
+            f"    for i in range({n * (n + 1)}):",
+            "        g[i] = 0.0",
+            *text.read_switches("    "),
+            *text.evaluate("equations", values, "    ", hoist=True),
+            *held,
+        ],
+    )
+
+
+def _angles(text: Text, expressions: Iterable[sp.Expr]) -> list[sp.Symbol]:
+    """Coordinates whose sine or cosine occurs, in the order in which they are declared."""
+    found = set().union(*(e.atoms(sp.sin, sp.cos) for e in expressions))
+    turned = {sine.args[0] for sine in found}
+    return [c.position for c in text.model.integrated if c.position in turned]
+
+
+def _by_sines(e: sp.Expr, angles: Sequence[sp.Symbol]) -> sp.Expr:
+    """A sum as factors of the sine and cosine of the first angle, and these as of the others."""
+    if not angles:
+        return e
+    sines = [function(angles[0]) for function in (sp.sin, sp.cos)]
+    return sp.collect(sp.expand(e), sines, func=lambda factor: _by_sines(factor, angles[1:]))
+
+
+def _products(rows: list[list[sp.Expr]], indent: str) -> list[str]:
+    """Lines that add J'J and -J' bias of rows [J bias] to g."""
+    lines, width = list[str](), len(rows[0])
+    for i in range(width - 1):
+        for j in range(i, width):
+            total = sum((row[i] * row[j] for row in rows), sp.S.Zero)
+            if total != 0:
+                entry, sign = f"g[{i * width + j}]", "-" if j == width - 1 else "+"
+                lines += assign(entry, f"{entry} {sign} ({python(total)})", indent)
+    return lines
 
 
 def _point_laws(text: Text, of: ContactDeclaration) -> None:

@@ -30,8 +30,11 @@ MOST_COORDINATES = 24
 MOST_ROWS = 3 * MOST_POINTS_IN_SPACE
 MOST_UNKNOWNS = MOST_COORDINATES * (MOST_COORDINATES + 1)
 STATES_OF_POINT = len(DIGITS_OF_STATES)
-POWERS_OF_TWO = tuple(2**i for i in range(MOST_POINTS_IN_SPACE))
 PLACE_VALUES = tuple(STATES_OF_POINT**i for i in range(MOST_POINTS_IN_SPACE))
+# Powers of two, so that products with them are exact, and sooner than a division
+INVERSE_PLACES = tuple(1.0 / value for value in PLACE_VALUES)
+NEXT_PLACE = 1.0 / STATES_OF_POINT
+INVERSE_BINARY_PLACES = tuple(0.5**i for i in range(MOST_POINTS_IN_SPACE))
 
 # Where `points` tells what of each: gap, rates of gap and slips, their biases, rows of all three
 FIRST_BIAS = 4
@@ -51,17 +54,17 @@ PIVOTS = 1e-5  # of the fastest: points that are slower are those about which ot
 LEAST_PART_OF_TURN = 1e-6  # of the fastest: the velocity of a point about which others turn
 
 
-@inlined
+@everywhere
 def digit_of(mode, point):
     """The digit of a point in the number of a mode."""
-    rest = int(mode / PLACE_VALUES[point])
-    return rest - STATES_OF_POINT * int(rest / STATES_OF_POINT)
+    rest = int(mode * INVERSE_PLACES[point])
+    return rest - STATES_OF_POINT * int(rest * NEXT_PLACE)
 
 
-@inlined
+@everywhere
 def is_smooth_by(smooth, point):
     """Whether a point has no friction."""
-    rest = int(smooth / POWERS_OF_TWO[point])
+    rest = int(smooth * INVERSE_BINARY_PLACES[point])
     return rest - 2 * int(rest * 0.5) == 1
 
 
@@ -150,30 +153,94 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
     change of velocities as bias. told : of `points`, then the `laws`. share : of an idle point what
     it would bear. Returns how many rows are independent.
     """
-    rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
-    g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
-    along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
-    directions_of_slips(mode, n, m, told, along)
+    rows, g, z = np.empty(MOST_ROWS, np.int64), np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
     rows_in(mode, m, smooth, rows)
     squares_of_rows(n, m, rows, told, bias, g)
+    if slips_in(mode, m):
+        along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
+        directions_of_slips(mode, n, m, told, along)
+        rank = hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z)
+        forces_of_points(n, m, rows, told, z, share)
+        add_friction(mode, m, laws, along, share)
+    else:
+        pivots = np.empty(MOST_COORDINATES, np.int64)
+        rank = move_by_squares(n, matrix, forces, g, pivots, x)
+        unknowns_of_forces(n, matrix, forces, g, pivots, x, z)
+        forces_of_points(n, m, rows, told, z, share)
+    return rank
+
+
+@everywhere
+def hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z):
+    """Accelerations x (n,) and unknowns of forces z (n,) where friction is with normal forces.
+
+    g (n, n + 1) : of `squares_of_rows`. Returns how many rows are independent.
+    """
+    b, width, laws = np.empty(MOST_UNKNOWNS), n + 1, laws_in(told, n, m)
+    pivots, free = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_COORDINATES, np.int64)
+    ways, column = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
     for i in range(n):
-        for j in range(n):
-            b[i * width + j] = -g[i * width + j]
+        for j in range(i, n):
+            b[i * width + j] = b[j * width + i] = -g[i * width + j]
     rub(mode, n, m, laws, along, told, b)
     rank = reduced_rows(n, width, g, pivots)
-    unbalanced(n, matrix, forces, g, pivots, b)
+    order = allowed(n, g, pivots, x, free, ways)
+    unbalanced(n, matrix, forces, x, column)
+    for i in range(n):
+        b[i * width + n] = column[i]
+    for r in range(order):
+        moved(n, matrix, ways, r, column)
+        for i in range(n):
+            b[i * width + free[r]] = column[i]
     solve_by_rows(n, b)
-    allowed(n, g, pivots, b, x)
+    for r in range(order):
+        column[r] = b[free[r] * width + n]
+    for i in range(n):
+        z[i] = b[i * width + n] if pivots[i] == 1 else 0.0
+    go(n, order, ways, column, 1, x)
+    return rank
+
+
+@everywhere
+def unknowns_of_forces(n, matrix, forces, g, pivots, x, z):
+    """The unknowns z (n,) of J'J z = M x - f; g (n, n + 1) is of `reduced_rows`."""
+    left = np.empty(MOST_COORDINATES)
+    unbalanced(n, matrix, forces, x, left)
+    for i in range(n):
+        z[i] = 0.0
+        if pivots[i] == 1:
+            for j in range(n):
+                if pivots[j] == 1:
+                    z[i] += g[i * (n + 1) + j] * left[j]
+
+
+@everywhere
+def press_by_squares(n, m, matrix, forces, g, rows, pivots, told, accelerations, share):
+    """Accelerations (n,) where nothing slips, and the normal force at each point into share (3 m,).
+
+    g (n, n + 1) : J'J and -J' bias behind it. told : gaps and their rows alone.
+    """
+    z = np.empty(MOST_COORDINATES)
+    move_by_squares(n, matrix, forces, g, pivots, accelerations)
+    unknowns_of_forces(n, matrix, forces, g, pivots, accelerations, z)
+    for point in range(m):
+        lever, total = lever_of(3 * point, n), 0.0
+        if rows[3 * point] > 0:
+            for i in range(n):
+                total += told[lever + i] * z[i]
+        share[3 * point] = total
+
+
+@everywhere
+def forces_of_points(n, m, rows, told, z, share):
+    """The forces J z of rows that are held, also of the gap of an idle point, into share (3 m,)."""
     for point in range(m):
         for k in range(3):
             lever, total = point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + k * n, 0.0
             if rows[3 * point + k] > 0:
                 for i in range(n):
-                    if pivots[i] == 1:
-                        total += told[lever + i] * b[i * width + n]
+                    total += told[lever + i] * z[i]
             share[3 * point + k] = total
-    add_friction(mode, m, laws, along, share)
-    return rank
 
 
 @inlined
@@ -186,7 +253,10 @@ def biases_of_rows(n, m, told, bias):
 
 @everywhere
 def squares_of_rows(n, m, rows, told, bias, g):
-    """G = J'J of the rows that are held, and -J' bias behind it, into g (n, n + 1)."""
+    """G = J'J of the rows that are held, and -J' bias behind it, into g (n, n + 1): above all.
+
+    Below its diagonal g stays zero.
+    """
     width = n + 1
     for i in range(n * width):
         g[i] = 0.0
@@ -201,9 +271,6 @@ def squares_of_rows(n, m, rows, told, bias, g):
                     g[i * width + j] += u * x + v * y + w * z
                 x, y, z = bias[3 * point], bias[3 * point + 1], bias[3 * point + 2]
                 g[i * width + n] -= u * x + v * y + w * z
-    for i in range(1, n):
-        for j in range(i):
-            g[i * width + j] = g[j * width + i]
 
 
 @inlined
@@ -220,84 +287,107 @@ def rub(mode, n, m, laws, along, told, b):
 
 
 @everywhere
-def unbalanced(n, matrix, forces, g, pivots, b):
-    """Columns M N of free coordinates, and f - M x_0 behind all, into b (n, n + 1)."""
-    width = n + 1
-    for i in range(n):
-        total = forces[i]
-        for j in range(n):
-            if pivots[j] == 1:
-                total -= matrix[i * n + j] * g[j * width + n]
-        b[i * width + n] = total
+def allowed(n, g, pivots, x, free, ways):
+    """The accelerations that rows allow, x_0 + N s: x_0 into x (n,), columns of N into ways.
+
+    g (n, n + 1) : of `reduced_rows`. free (n,), ways (n, n) : the coordinates s, and the column of
+    each in a row, 1 of its own. Returns how many there are.
+    """
+    order = 0
     for k in range(n):
+        x[k] = g[k * (n + 1) + n] if pivots[k] == 1 else 0.0
         if pivots[k] == 0:
             for i in range(n):
-                total = matrix[i * n + k]
-                for j in range(n):
-                    if pivots[j] == 1:
-                        total -= matrix[i * n + j] * g[j * width + k]
-                b[i * width + k] = total
+                ways[order * n + i] = -g[i * (n + 1) + k] if pivots[i] == 1 else 0.0
+            ways[order * n + k] = 1.0
+            free[order] = k
+            order += 1
+    return order
 
 
 @everywhere
-def allowed(n, g, pivots, b, x):
-    """The accelerations x_0 + N s, of which s stands behind b (n, n + 1)."""
-    width = n + 1
+def unbalanced(n, matrix, forces, x, left):
+    """f - M x into left (n,)."""
     for i in range(n):
-        total, largest = b[i * width + n], 0.0
-        if pivots[i] == 1:
-            total, largest = g[i * width + n], abs(g[i * width + n])
-            for j in range(n):
-                if pivots[j] == 0:
-                    term = g[i * width + j] * b[j * width + n]
-                    total -= term
-                    largest += abs(term)
+        total = forces[i]
+        for j in range(n):
+            total -= matrix[i * n + j] * x[j]
+        left[i] = total
+
+
+@everywhere
+def moved(n, matrix, ways, r, out):
+    """M times the way r, into out (n,)."""
+    for i in range(n):
+        total = 0.0
+        for j in range(n):
+            total += matrix[i * n + j] * ways[r * n + j]
+        out[i] = total
+
+
+@everywhere
+def go(n, order, ways, s, stride, x):
+    """Add N s to x (n,), s every `stride` numbers; zero where nothing but rounding is left."""
+    for i in range(n):
+        total, largest = x[i], abs(x[i])
+        for r in range(order):
+            term = s[r * stride] * ways[r * n + i]
+            total += term
+            largest += abs(term)
         x[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
 
 
 @everywhere
 def move(mode, n, m, smooth, matrix, forces, told, bias, x):
-    """Accelerations x (n,) alone, as `hold` has them where nothing slips.
-
-    N' (M N s - f + M x_0) = 0 has no forces.
-    """
+    """Accelerations x (n,) alone, as `hold` has them where nothing slips."""
     rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
-    g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
-    left, free = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES, np.int64)
+    g = np.empty(MOST_UNKNOWNS)
     rows_in(mode, m, smooth, rows)
     squares_of_rows(n, m, rows, told, bias, g)
-    order = n - reduced_rows(n, width, g, pivots)
-    unbalanced(n, matrix, forces, g, pivots, b)
-    last = 0
-    for i in range(n):
-        if pivots[i] == 0:
-            free[last] = i
-            last += 1
+    move_by_squares(n, matrix, forces, g, pivots, x)
+
+
+@everywhere
+def move_by_squares(n, matrix, forces, g, pivots, x):
+    """Accelerations x (n,) where nothing slips; N' (M N s - f + M x_0) = 0 has no forces.
+
+    g (n, n + 1) : J'J and -J' bias behind it. Returns how many rows are independent.
+    """
+    free, ways = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_UNKNOWNS)
+    rest, along, left = (
+        np.empty(MOST_COORDINATES),
+        np.empty(MOST_COORDINATES),
+        np.empty(MOST_UNKNOWNS),
+    )
+    rank = reduced_rows(n, n + 1, g, pivots)
+    order = allowed(n, g, pivots, x, free, ways)
+    unbalanced(n, matrix, forces, x, rest)
     for r in range(order):
-        i = free[r]
-        for s in range(order + 1):
-            j = free[s] if s < order else n
-            total = b[i * width + j]
-            for k in range(n):
-                if pivots[k] == 1:
-                    total -= g[k * width + i] * b[k * width + j]
+        moved(n, matrix, ways, r, along)
+        total = 0.0
+        for i in range(n):
+            total += rest[i] * ways[r * n + i]
+        left[r * (order + 1) + order] = total
+        for s in range(order):
+            total = 0.0
+            for i in range(n):
+                total += along[i] * ways[s * n + i]
             left[r * (order + 1) + s] = total
     solve_by_rows(order, left)
-    for r in range(order):
-        b[free[r] * width + n] = left[r * (order + 1) + order]
-    allowed(n, g, pivots, b, x)
+    go(n, order, ways, left[order:], order + 1, x)
+    return rank
 
 
 @everywhere
 def reduced_rows(k, width, a, pivots):
     """How many of k rows of a symmetric matrix are independent: those whose pivots (k,) are 1.
 
-    a (k, width) row by row : by Gauss and Jordan with pivots on the diagonal, the next of which is
-    the first with enough left of it, or that with most. The columns of the others, in the rows of
-    the independent ones, are then F, by which their rows follow.
+    a (k, width) row by row, with what stands behind the matrix, read above its diagonal : swept
+    (Goodnight 1979) by pivots on it, the next of which is the first with enough left of it, or that
+    with most. The columns of the others, in the rows of the independent ones, are then F, by which
+    their rows follow; in the columns of these is the negative inverse.
     """
-    own, rank, row = np.empty(MOST_COORDINATES), 0, np.empty(MOST_COORDINATES + 1)
-    largest = 0.0
+    own, row, rank, largest = np.empty(MOST_COORDINATES), np.empty(MOST_COORDINATES + 1), 0, 0.0
     for i in range(k):
         largest = max(largest, a[i * width + i])
     for i in range(k):
@@ -307,22 +397,29 @@ def reduced_rows(k, width, a, pivots):
         best, most = -1, REDUNDANT
         for i in range(k):
             if pivots[i] == 0 and a[i * width + i] > most * own[i]:
-                best, most = i, a[i * width + i] / own[i]
-                if most > ENOUGH:
+                best = i
+                if a[i * width + i] > ENOUGH * own[i]:
                     break
+                most = a[i * width + i] / own[i]
         if best < 0:
             break
         pivots[best] = 1
         rank += 1
         inverse = 1.0 / a[best * width + best]
         for j in range(width):
-            row[j] = a[best * width + j] * inverse
-            a[best * width + j] = row[j]
+            row[j] = a[j * width + best] if j < best else a[best * width + j]
         for i in range(k):
-            factor = a[i * width + best]
+            factor = row[i] * inverse
             if i != best and factor != 0.0:
-                for j in range(width):
+                for j in range(i, width):
                     a[i * width + j] -= factor * row[j]
+                a[min(i, best) * width + max(i, best)] = factor
+        for j in range(k, width):
+            a[best * width + j] *= inverse
+        a[best * width + best] = -inverse
+    for i in range(1, k):
+        for j in range(i):
+            a[i * width + j] = a[j * width + i]
     return rank
 
 
@@ -368,14 +465,6 @@ def motion_in_code(mode, n, m, smooth, matrix, forces, told, accelerations, shar
     hold(mode, n, m, smooth, matrix, forces, told, bias, accelerations, share)
     if some_are_slow(mode, n, m, told):
         slow_turns(mode, n, m, smooth, told, matrix, accelerations)
-
-
-@everywhere
-def motion_without_slips(mode, n, m, smooth, matrix, forces, told, accelerations):
-    """Accelerations (n,) alone, as `motion_in_code` has them, in a mode in which nothing slips."""
-    bias = np.empty(MOST_ROWS)
-    biases_of_rows(n, m, told, bias)
-    move(mode, n, m, smooth, matrix, forces, told, bias, accelerations)
 
 
 def is_slow(mode, point, n, told):

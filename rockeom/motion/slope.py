@@ -19,6 +19,7 @@ import numpy as np
 from rockeom.codes import WITH_CONSTANT
 from rockeom.motion import segments as pieces
 from rockeom.motion.segments import C0, C1, C3, END, KIND, LINEAR, START
+from rockeom.numbers.batch import one_of
 from rockeom.numbers.checks import InputError, number
 from rockeom.numbers.degrees import RADIANS
 from rockeom.numbers.dual import value_of
@@ -126,6 +127,7 @@ def tables_at(azimuth: Any, first: np.ndarray, second: np.ndarray) -> tuple[np.n
             "two motions act along each axis of a structure that is turned, and one of them is a "
             "formula: give its samples, motion.resampled(dt)"
         )
+    azimuth = one_of(azimuth)  # of many cases, the rows of each would be numbers one by one
     cos, sin = mathematics.cos(azimuth), mathematics.sin(azimuth)
     x, y = _endless(first), _endless(second)
     return _sum(x, cos, y, sin), _sum(y, cos, x, -sin)

@@ -236,7 +236,8 @@ class Quantities:
     def works(self) -> Works:
         """Works and losses since the start."""
         assert self.events is not None
-        return Works(self.structure, self.ground.accelerations, self.steps("the work"), self.events)
+        ground, steps = self.ground.accelerations, self.steps("the work")
+        return Works(self.structure, ground, self.of_program, steps, self.events)
 
 
 # -- places -------------------------------------------------------------------------------------

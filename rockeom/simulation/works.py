@@ -1,13 +1,14 @@
 """Works and losses of a motion, by quadrature over its steps; its balance of energy."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import REST
-from rockeom.integrator.schema import GeneratedModule, has_landings, is_by_code
+from rockeom.generated.numeric_modes import slips_in
+from rockeom.integrator.schema import GeneratedModule, SearchedModes, has_landings, is_by_code
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
@@ -74,17 +75,19 @@ class Works:
 
     The loss at impacts is the energy before them less that behind them. In the time in which
     infinitely many of them bring a structure on points to rest, it is the loss that no other
-    explains.
+    explains. ground : its accelerations at times (n,). forces : those at points, at times that do
+    not fall, by the compiled program.
     """
 
     def __init__(
         self,
         structure: Structure,
-        ground: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+        ground: Callable[[np.ndarray], tuple[np.ndarray, ...]],
+        forces: Callable[[Rows], Mapping[str, np.ndarray]],
         steps: Steps,
         events: EventColumns,
     ) -> None:
-        self.structure, self.ground, self.steps = structure, ground, steps
+        self.structure, self.ground, self.forces, self.steps = structure, ground, forces, steps
         self.events = Events(structure, events)
         self.names = names_of_works(structure.module)
         starts, lengths = self.steps.span.T
@@ -96,10 +99,9 @@ class Works:
         self.table = np.zeros((n + 1, len(self.names)))
         np.cumsum(np.concatenate(of_steps), axis=0, out=self.table[1:])
         every = np.arange(n)
-        self.first, self.last = (
-            self._energy(self.steps.states(every, np.full(n, x)), self.steps.mode)
-            for x in (0.0, 1.0)
-        )
+        energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
+        self.first, self.largest = energies.sum(axis=0), float(abs(energies).max())
+        self.last = self._energy(self.steps.states(every, np.ones(n)), self.steps.mode)
         times, kinds, states = events
         ends = starts + lengths
         self.rests = np.isin(ends, times[kinds[:, 0] == REST]) & has_landings(structure.module)
@@ -172,19 +174,35 @@ class Works:
         module, p, ground = self.structure.module, self.structure.vector, self.ground(t)
         n = len(module.ELEMENT_NAMES)
         powers = filled(module, p, "powers", 3, mode, y, *ground)
-        lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
+        lost = np.empty((0, len(t)))
+        if n > 0:
+            lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
         if has_landings(module):
-            rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
-            size = len(module.KINEMATICS)
-            slips = jets(module, p, "kinematics", size, mode, y, rates)[1]
-            forces = at_states(module, p, "reactions", mode, y, *ground)
-            ways = ("_x", "_y") if is_by_code(module) else ("",)
-            for point, way in product(module.POINTS, ways):
-                if (name := f"{point}_slip{way}") in module.KINEMATICS:
-                    rate = slips[module.KINEMATICS.index(name)]
-                    friction[0] -= forces[f"{point}_friction{way}"] * rate
+            friction[0] = self._friction(module, Rows(t, y, mode), ground)
         return np.concatenate([powers, friction, lost])
+
+    def _friction(self, m: SearchedModes, rows: Rows, ground: tuple[np.ndarray, ...]) -> np.ndarray:
+        """(n,) power that friction takes."""
+        p, lost = self.structure.vector, np.zeros(len(rows.t))
+        ways: tuple[str, ...] = ("",)
+        some, (t, y, mode) = np.full(len(rows.t), True), rows
+        if is_by_code(m):  # to solve for forces takes long: only where a point slips
+            slips = [k for k in np.unique(mode).tolist() if slips_in(k, len(m.POINTS))]
+            some, ways = np.isin(mode, slips), ("_x", "_y")
+            if not some.any():
+                return lost
+            t, y, mode = (column[some] for column in rows)
+            rates = np.roll(y.T, -(m.N_STATES // 2), axis=0)  # of coordinates alone
+            forces = self.forces(Rows(t, y, mode))
+        else:
+            rates = filled(m, p, "rates", m.N_STATES, mode, y, *ground)
+            forces = at_states(m, p, "reactions", mode, y, *ground)
+        moves = jets(m, p, "kinematics", len(m.KINEMATICS), mode, y, rates)[1]
+        for point, way in product(m.POINTS, ways):
+            if (name := f"{point}_slip{way}") in m.KINEMATICS:
+                lost[some] -= forces[f"{point}_friction{way}"] * moves[m.KINEMATICS.index(name)]
+        return lost
 
     def at(self, rows: Rows) -> dict[str, np.ndarray]:
         """All of them at times, states and modes, (n,) each by name."""
@@ -222,8 +240,7 @@ class Works:
         breaks = float(self.breaks[:, -1].sum())
         lost = damping - force
         left = ground - lost - friction - impacts - breaks - gained
-        energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
-        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), abs(energies).max())
+        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), self.largest)
         error = abs(left) / largest if largest else 0.0
         gains = float(self.events.impacts.energy_gains.sum())
         return EnergyBalance(ground, lost, impacts, gained, error, friction, gains, breaks)

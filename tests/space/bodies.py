@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -74,28 +75,48 @@ def oriented(rotation: Sequence[Sequence[float]], spin=(0, 0, 0)) -> dict[str, f
     return angles | {f"{n}_dot": float(x) for n, x in zip(names, rates, strict=True)}
 
 
-def _axes(yaw: float, pitch: float) -> np.ndarray:
-    """The axes about which yaw, pitch and roll turn, as columns."""
-    about_y = [-np.sin(yaw), np.cos(yaw), 0.0]
+def _axes(yaw, pitch) -> np.ndarray:
+    """The axes about which yaw, pitch and roll turn, as columns (..., 3, 3)."""
+    none = np.zeros_like(yaw)
+    about_y = [-np.sin(yaw), np.cos(yaw), none]
     about_x = [np.cos(yaw) * np.cos(pitch), np.sin(yaw) * np.cos(pitch), -np.sin(pitch)]
-    return np.array([[0.0, 0.0, 1.0], about_y, about_x]).T
+    return np.stack(
+        [np.stack(axis, -1) for axis in ([none, none, none + 1.0], about_y, about_x)], -1
+    )
 
 
-def spin(state: Mapping[str, float]) -> np.ndarray:
-    """The angular velocity along the axes of the ground."""
-    rates = [state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")]
-    return _axes(state["yaw"], state["pitch"]) @ rates
+def rotation(state: Mapping[str, Any]) -> np.ndarray:
+    """R = Rz(yaw) Ry(pitch) Rx(roll), (..., 3, 3) of a state, or of many."""
+    angles = [np.asarray(state[name]) for name in ("yaw", "pitch", "roll")]
+    product = np.eye(3)
+    for angle, (i, j) in zip(angles, ((0, 1), (2, 0), (1, 2)), strict=True):
+        turn = np.zeros((*angle.shape, 3, 3)) + np.eye(3)
+        turn[..., i, i] = turn[..., j, j] = np.cos(angle)
+        turn[..., j, i] = np.sin(angle)
+        turn[..., i, j] = -turn[..., j, i]
+        product = product @ turn
+    return product
 
 
-def spin_rate(state: Mapping[str, float], accelerations: Mapping[str, float]) -> np.ndarray:
-    """The angular acceleration along the axes of the ground."""
+def spin(state: Mapping[str, Any]) -> np.ndarray:
+    """The angular velocity along the axes of the ground (..., 3), of a state, or of many."""
+    rates = np.stack([state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")], -1)
+    return (_axes(state["yaw"], state["pitch"]) @ rates[..., None])[..., 0]
+
+
+def spin_rate(state: Mapping[str, Any], accelerations: Mapping[str, Any]) -> np.ndarray:
+    """The angular acceleration along the axes of the ground, of a state, or of many."""
     yaw, pitch = state["yaw"], state["pitch"]
-    rates = np.array([state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")])
+    rates = [state[f"{name}_dot"] for name in ("yaw", "pitch", "roll")]
     s, c, s_p, c_p = np.sin(yaw), np.cos(yaw), np.sin(pitch), np.cos(pitch)
-    about_y = rates[0] * np.array([-c, -s, 0.0])
-    about_x = rates[0] * c_p * np.array([-s, c, 0.0]) - rates[1] * np.array([c * s_p, s * s_p, c_p])
-    turning = np.array([np.zeros(3), about_y, about_x]).T @ rates
-    return turning + _axes(yaw, pitch) @ [accelerations[n] for n in ("yaw", "pitch", "roll")]
+    none = np.zeros_like(yaw)
+    about_y = rates[0] * np.array([-c, -s, none])
+    about_x = rates[0] * c_p * np.array([-s, c, none]) - rates[1] * np.array(
+        [c * s_p, s * s_p, c_p]
+    )
+    turning = about_y * rates[1] + about_x * rates[2]
+    found = np.stack([accelerations[n] for n in ("yaw", "pitch", "roll")], -1)
+    return np.moveaxis(turning, 0, -1) + (_axes(yaw, pitch) @ found[..., None])[..., 0]
 
 
 def on_feet(feet: Mapping[str, Sequence[float]], elements=(), restitution=0, **more):

@@ -23,8 +23,19 @@ ENDS = ("completed", "overturned", "came to rest")
 NO_END = ("no solution", "chatter", "stalled")
 
 
-def judged(seed: int) -> tuple[int, str, str, list[str]]:
-    """Family and outcome of a seed's motion, and a line for each law that it violates."""
+Judged = tuple[int, str, str, list[str]]
+"""Seed, family and outcome of a motion, and a line for each law that it violates."""
+
+
+def judged(seed: int) -> Judged:
+    """What comes of a seed, errors too."""
+    try:
+        return _judged(seed)
+    except Exception as error:  # is no reason to stop
+        return seed, FAMILIES[seed % len(FAMILIES)], "raised", [repr(error)]
+
+
+def _judged(seed: int) -> Judged:
     family = FAMILIES[seed % len(FAMILIES)]
     if family == "rim":
         run = on_a_rim(seed)

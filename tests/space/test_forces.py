@@ -11,7 +11,6 @@ from rockeom.generated.numeric_modes import (
     FIRST_LEVER,
     PLACE_VALUES,
     motion_in_code,
-    motion_without_slips,
 )
 
 N, M, FRICTION, MASS = 6, 4, 0.45, 2000.0
@@ -75,7 +74,27 @@ def test_forces_are_the_least_that_hold_the_rows_of_a_mode(seed):
     for i in np.flatnonzero(digits >= SLIPS):
         friction = share[3 * i + 1 : 3 * i + 3]
         assert np.hypot(*friction) == pytest.approx(FRICTION * abs(share[3 * i]))
-    if not (digits >= SLIPS).any():
-        alone = np.empty(N)
-        motion_without_slips(mode, N, M, 0, m.ravel(), forces, told, alone)
-        np.testing.assert_allclose(alone, x, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_stages_add_up_the_rows_that_points_tell(seed):
+    """J'J and -J' bias of the rows that are held, above the diagonal: without `points`."""
+    rng = np.random.default_rng(seed)
+    body = rk.LeggedStatue(
+        feet={"a": (0.4, 0.1), "b": (-0.3, 0.4), "c": (-0.2, -0.5)}, centroid=(0.02, 0.03, 0.9),
+        mass=80.0, inertia=np.diag([30.0, 25.0, 9.0]), friction=None,
+    )  # fmt: skip
+    y, told, g = rng.normal(0.0, 0.5, 2 * N), np.empty(3 * (FIRST_LEVER + 3 * N)), np.empty(N * 7)
+    free, equations = (np.empty(N * N), np.empty(N)), (np.empty(N * N), np.empty(N))
+    states = rng.integers(0, 3, 3)  # open, without friction, held along the ground
+    rows = np.repeat(states[:, None], 3, axis=1) > [0, 1, 1]
+    body.module.points(y, body.vector, told)
+    body.module.free_motion(y, body.vector, 1.0, 2.0, 3.0, 0, *free)
+    held = rows.ravel().astype(np.int64)
+    body.module.equations(y, body.vector, 1.0, 2.0, 3.0, 0, held, *equations, g)
+    told = told.reshape(3, -1)
+    j, bias = told[:, FIRST_LEVER:].reshape(9, N)[rows.ravel()], told[:, FIRST_BIAS:FIRST_LEVER]
+    both = np.column_stack([j.T @ j, -j.T @ bias[rows]])
+    np.testing.assert_allclose(g.reshape(N, 7), np.triu(both), atol=1e-13)
+    for alone, together in zip(free, equations, strict=True):
+        np.testing.assert_allclose(together, alone, rtol=1e-13, atol=1e-13)

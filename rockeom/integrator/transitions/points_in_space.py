@@ -13,6 +13,8 @@ from rockeom.codes import BEARS, IDLES, LIFTING, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     PLACE_VALUES,
+    REDUNDANT,
+    any_rubs,
     digit_along,
     digit_of,
     hold,
@@ -73,6 +75,7 @@ MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
 MOST_HALVES = 70  # of yields, which are within 36 powers of ten
 MOST_SWEEPS = 1000  # over points, towards impulses that suit one another
+MOST_PROJECTIONS = 4000  # onto their cones, where sweeps have no end
 MOST_CHANGE = 2.0  # of the logarithm of a yield, in one of them
 
 
@@ -104,9 +107,12 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     left = int(number * 0.5) - sets * opens
     if opens > N_POINTS or OPENS_IN[left] != opens or extra > 2 * CHANGES_IN[left]:
         return -1
+    released = int(0.5 * (extra + 1.0))
+    if CHANGES_IN[left] != released and not any_rubs(N_POINTS, SMOOTH, contact[LAWS:]):
+        return -1
     share, motion, idle = np.empty(ROWS), np.empty(N_COORDINATES), number - 2 * int(number * 0.5)
     candidate, freed, more, unknown = chosen_states(left, near, sliding, contact)
-    if candidate < 0 or (extra != 2 * more and extra != 2 * more - 1):
+    if candidate < 0 or more != released:
         return -1
     if extra < 2 * more and not would_pull(candidate, candidate + freed, wanted, contact, share):
         return -1
@@ -306,9 +312,12 @@ def swept(candidate, sliding, wanted, contact, impulse, rates_after):
     for rounding; a slip that goes on has its direction. impulse (ROWS,), and rates_after (ROWS,),
     by which gaps and slips then change, or their rates.
     """
+    change, largest = np.inf, LEAST_SIZE
     for r in range(ROWS):
         impulse[r] = 0.0
     for _ in range(MOST_SWEEPS):
+        if change <= SWEPT * largest:
+            break
         change, largest = 0.0, LEAST_SIZE
         for i in range(N_POINTS):
             if digit_of(candidate, i) == OPEN:
@@ -321,10 +330,45 @@ def swept(candidate, sliding, wanted, contact, impulse, rates_after):
             largest = max(largest, impulse[row])
             if not is_smooth(i):
                 change = max(change, rubbed(i, sliding, wanted, contact, impulse))
-        if change <= SWEPT * largest:
-            break
+    if change > SWEPT * largest:
+        projected(candidate, sliding, wanted, contact, impulse)
     for r in range(ROWS):
         rates_after[r] = exceeds(r, wanted, contact, impulse)
+
+
+@rolled
+def projected(candidate, sliding, wanted, contact, impulse):
+    """The same as `swept` where sweeps go round in circles, as they may where friction is large.
+
+    The impulse of a point changes against its velocity, that of the gap raised by mu times that of
+    the slip, and is projected onto the cone of friction (de Saxce and Feng, 1998), in small steps.
+    """
+    for _ in range(MOST_PROJECTIONS):
+        change, largest = 0.0, LEAST_SIZE
+        for i in range(N_POINTS):
+            if digit_of(candidate, i) == OPEN:
+                continue
+            row, mu, own = DIRECTIONS * i, contact[LAWS + 2 * i + 1], 0.0
+            for k in range(DIRECTIONS):
+                own += contact[COUPLING + (row + k) * (ROWS + 1)]
+            normal, before = exceeds(row, wanted, contact, impulse), impulse[row]
+            if sliding[i] != 0.0 or not rubs(i, contact):
+                impulse[row] = max(before - normal / own, 0.0)
+                if not is_smooth(i):
+                    rubbed(i, sliding, wanted, contact, impulse)
+            else:
+                u = exceeds(row + 1, wanted, contact, impulse)
+                v = exceeds(row + 2, wanted, contact, impulse)
+                x, y = impulse[row + 1] - u / own, impulse[row + 2] - v / own
+                press = before - (normal + mu * math.sqrt(u * u + v * v)) / own
+                size = math.sqrt(x * x + y * y)
+                if size > mu * press:
+                    press = max((mu * size + press) / (1.0 + mu * mu), 0.0)
+                    x, y = mu * press * x / size, mu * press * y / size
+                impulse[row], impulse[row + 1], impulse[row + 2] = press, x, y
+            change, largest = max(change, abs(impulse[row] - before)), max(largest, impulse[row])
+        if change <= SWEPT * largest:
+            break
 
 
 def rubbed(point, sliding, wanted, contact, impulse):
@@ -533,15 +577,35 @@ def forces_in(candidate, forces, wanted, contact, change, share):
     )  # fmt: skip
 
 
+@rolled
 def has_spare_point(candidate, contact):
-    """Whether a point may cease to bear, and the others keep its gap closed."""
-    smooth, bearing, nothing, share = candidate, 0, np.zeros(ROWS), np.empty(ROWS)
+    """Whether a point may cease to bear, and the others keep its gap closed.
+
+    Rows of gaps are then dependent: nothing but rounding is left of one by Gram and Schmidt.
+    """
+    n, kept, rows = N_COORDINATES, 0, np.empty(N_POINTS * N_COORDINATES)
     for i in range(N_POINTS):
-        digit = digit_of(candidate, i)
-        if digit not in (OPEN, IDLES):
-            smooth += (RELEASED - digit) * PLACE_VALUES[i]
-            bearing += 1
-    return shares_in(smooth, nothing, contact, share) < bearing
+        if digit_of(candidate, i) in (OPEN, IDLES):
+            continue
+        first, last, whole = row_of_point(DIRECTIONS * i), kept * n, 0.0
+        for j in range(n):
+            rows[last + j] = contact[first + j]
+            whole += contact[first + j] ** 2
+        for k in range(kept):
+            along_ = 0.0
+            for j in range(n):
+                along_ += rows[k * n + j] * rows[last + j]
+            for j in range(n):
+                rows[last + j] -= along_ * rows[k * n + j]
+        left = 0.0
+        for j in range(n):
+            left += rows[last + j] ** 2
+        if left <= REDUNDANT * whole:
+            return True
+        for j in range(n):
+            rows[last + j] /= math.sqrt(left)
+        kept += 1
+    return False
 
 
 @inlined
