@@ -292,18 +292,19 @@ def test_a_body_that_rubs_moves_alike_turned_by_any_yaw_and_in_a_mirror(name, tu
         pushed = (components[0], sign * components[1], up)
         first, second, third = (rk.GroundMotion.from_array(a, dt=0.02) for a in pushed)
         run = rk.simulate(
-            body, first, transverse=second, vertical=third, duration=2.3, options=PRECISE,
+            body, first, transverse=second, vertical=third, duration=2.3, options=LAST_DIGITS,
             initial={"pitch": 0.01, "roll": sign * 0.004, "yaw": yaw},
         )  # fmt: skip
-        events = [event for event in run.events if event.kind not in ("idle", "slip turns")][:12]
+        events = [event for event in run.events if event.kind not in ("idle", "slip turns")][:20]
         runs.append(([e.kind for e in events], [e.time for e in events], run.at(2.0)))
     (kinds, times, state), (kinds_there, times_there, image) = runs
     assert kinds_there == kinds
     assert "slip begins" in kinds
-    np.testing.assert_allclose(times_there, times, atol=1e-7)
+    assert len(times) == 20
+    np.testing.assert_allclose(times_there, times, atol=1e-10)
     right = [c * state["x"] - s * state["y"], mirror * (s * state["x"] + c * state["y"])]
     right.append(mirror * state["yaw"] + turn)
-    np.testing.assert_allclose([image[n] for n in ("x", "y", "yaw")], right, atol=1e-7)
+    np.testing.assert_allclose([image[n] for n in ("x", "y", "yaw")], right, atol=1e-9)
 
 
 @pytest.mark.parametrize("seed", [17, 19, 22, 25, 26, 30, 31, 34, 36, 46, 56, 69, 126])
