@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.engines.with_drake import RADIUS
+from benchmarks.engines.with_drake import RADIUS, above_ground
 from benchmarks.engines.with_mujoco import solref
 
 NO_SLIP = 2.0  # coefficient of friction
@@ -97,10 +97,6 @@ def _pieces(duration: float, step: float) -> Iterator[np.ndarray]:
 def by_drake(case: Shaken, step: float) -> Motion:
     """Its states are kept each millisecond."""
     from pydrake.all import (
-        AddMultibodyPlantSceneGraph,
-        ContactModel,
-        DiagramBuilder,
-        DiscreteContactApproximation,
         LogVectorOutput,
         PiecewisePolynomial,
         RigidTransform,
@@ -108,11 +104,8 @@ def by_drake(case: Shaken, step: float) -> Motion:
         TrajectorySource,
     )
 
-    builder = DiagramBuilder()
-    plant, _ = AddMultibodyPlantSceneGraph(builder, step)
-    plant.set_contact_model(ContactModel.kPoint)
-    plant.set_discrete_contact_approximation(DiscreteContactApproximation.kSap)
-    link = _link(plant, case, step)
+    builder, plant, material = above_ground(step, case.gravity, NO_SLIP, STIFFNESS)
+    link = _link(plant, case, material)
     plant.Finalize()
     times = case.sample * np.arange(round(case.duration / case.sample) + 1)
     forces = np.zeros((6, len(times)))
@@ -135,26 +128,10 @@ def by_drake(case: Shaken, step: float) -> Motion:
     return kept.sample_times(), tilts(kept.data()[1], kept.data()[2]), taken
 
 
-def _link(plant, case: Shaken, step: float):
-    """The prism above a half space, its corners small spheres as in with_drake.py."""
-    from pydrake.all import (
-        AddContactMaterial,
-        CoulombFriction,
-        HalfSpace,
-        ProximityProperties,
-        RigidTransform,
-        SpatialInertia,
-        Sphere,
-        UnitInertia,
-    )
+def _link(plant, case: Shaken, material):
+    """The prism, its corners small spheres as in with_drake.py."""
+    from pydrake.all import RigidTransform, SpatialInertia, Sphere, UnitInertia
 
-    plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -case.gravity])
-    material = ProximityProperties()
-    AddContactMaterial(0.0, STIFFNESS, CoulombFriction(NO_SLIP, NO_SLIP), material)
-    material.AddProperty("material", "relaxation_time", step)
-    plant.RegisterCollisionGeometry(
-        plant.world_body(), RigidTransform([0.0, 0.0, -RADIUS]), HalfSpace(), "ground", material
-    )
     inertia = SpatialInertia(case.mass, [0.0, 0.0, 0.0], UnitInertia(*case.moments))
     link, (b, c, h) = plant.AddRigidBody("prism", inertia), case.half_sizes
     for i, (x, y) in enumerate([(-b, -c), (b, -c), (b, c), (-b, c)]):

@@ -19,24 +19,16 @@ NO_SLIP, STIFFNESS, RADIUS = 1.0, 1e9, 1e-6
 
 
 def run(case: Mapping, step: float) -> Trace:
-    from pydrake.all import (
-        AddMultibodyPlantSceneGraph,
-        ContactModel,
-        DiagramBuilder,
-        DiscreteContactApproximation,
-        Simulator,
-    )
+    from pydrake.all import Simulator
 
     model = case["model"]
     if model["springs"]:
         raise UnsupportedError("springs and guides are not built here")
     if model["contacts"][0]["restitution"]:
         raise UnsupportedError("a restitution cannot be prescribed")
-    builder = DiagramBuilder()
-    plant, _ = AddMultibodyPlantSceneGraph(builder, step)
-    plant.set_contact_model(ContactModel.kPoint)
-    plant.set_discrete_contact_approximation(DiscreteContactApproximation.kSap)
-    joints = _bodies(plant, model, step)
+    friction = model["contacts"][0]["friction"]
+    builder, plant, material = above_ground(step, model["gravity"], friction)
+    joints = _bodies(plant, model, material)
     plant.Finalize()
     simulator = Simulator(builder.Build())
     context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
@@ -49,11 +41,38 @@ def run(case: Mapping, step: float) -> Trace:
     return _followed(plant, simulator, context, joints, case, step)
 
 
-def _bodies(plant, model: Mapping, step: float) -> list:
+def above_ground(step: float, gravity: float, friction: float | None, stiffness: float = STIFFNESS):
+    """Builder, plant with a half space below z = -RADIUS, and the material of all that touches."""
+    from pydrake.all import (
+        AddContactMaterial,
+        AddMultibodyPlantSceneGraph,
+        ContactModel,
+        CoulombFriction,
+        DiagramBuilder,
+        DiscreteContactApproximation,
+        HalfSpace,
+        ProximityProperties,
+        RigidTransform,
+    )
+
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, step)
+    plant.set_contact_model(ContactModel.kPoint)
+    plant.set_discrete_contact_approximation(DiscreteContactApproximation.kSap)
+    plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -gravity])
+    slip, material = NO_SLIP if friction is None else friction, ProximityProperties()
+    AddContactMaterial(0.0, stiffness, CoulombFriction(slip, slip), material)
+    material.AddProperty("material", "relaxation_time", step)
+    plant.RegisterCollisionGeometry(
+        plant.world_body(), RigidTransform([0.0, 0.0, -RADIUS]), HalfSpace(), "ground", material
+    )
+    return builder, plant, material
+
+
+def _bodies(plant, model: Mapping, material) -> list:
     from pydrake.all import (
         Box,
         FixedOffsetFrame,
-        HalfSpace,
         PlanarJoint,
         RigidTransform,
         RotationMatrix,
@@ -62,14 +81,9 @@ def _bodies(plant, model: Mapping, step: float) -> list:
         UnitInertia,
     )
 
-    plant.mutable_gravity_field().set_gravity_vector([0.0, 0.0, -model["gravity"]])
-    material = _material(model["contacts"][0]["friction"], step)
     # a plane whose first axis is x and whose second is z: rotations in it are anticlockwise
     upright = RigidTransform(RotationMatrix(np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]])))
     whole = plant.AddFrame(FixedOffsetFrame("plane", plant.world_frame(), upright))
-    plant.RegisterCollisionGeometry(
-        plant.world_body(), RigidTransform([0.0, 0.0, -RADIUS]), HalfSpace(), "ground", material
-    )
     hit = {contact["bodies"][1] for contact in model["contacts"]}
     joints = []
     for body in model["bodies"]:
@@ -87,16 +101,6 @@ def _bodies(plant, model: Mapping, step: float) -> list:
                 at = RigidTransform([x, 0.0, z])
                 plant.RegisterCollisionGeometry(link, at, Sphere(RADIUS), f"{name}_{i}", material)
     return joints
-
-
-def _material(friction: float | None, step: float):
-    from pydrake.all import AddContactMaterial, CoulombFriction, ProximityProperties
-
-    slip = NO_SLIP if friction is None else friction
-    properties = ProximityProperties()
-    AddContactMaterial(0.0, STIFFNESS, CoulombFriction(slip, slip), properties)
-    properties.AddProperty("material", "relaxation_time", step)
-    return properties
 
 
 def _followed(plant, simulator, context, joints, case: Mapping, step: float) -> Trace:

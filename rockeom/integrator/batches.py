@@ -90,14 +90,14 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
             extremes[0, i] = extremes[1, i] = state[i]
         if n == 0:
             _, lean = leans_most(extremes, case.fallen, case.p)
-            lean = tilt_of(mode, state, case.p) if BENT else lean
+            lean = tilt_of(state, case.p) if BENT else lean
         status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
         free = free._replace(t_end=(n + 1) * reach)
         code = integrate(status, clock, state, rate, free, recorder, scratch)
         leaning, leans = leans_most(extremes, case.fallen, case.p)
         upright = extremes[0, leaning] < 0.0 < extremes[1, leaning]
         if BENT:
-            leans, upright = tilt_of(status[MODE], state, case.p), False
+            leans, upright = tilt_of(state, case.p), False
         if code == OVERTURNED and not upright:
             return True
         if code not in (COMPLETED, FULL):
@@ -109,12 +109,12 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
     return False
 
 
-def tilt_of(mode, y, p):
+def tilt_of(y, p):
     """How far a body in space leans, by its bound of tilt: the more, the larger it is."""
-    g, leans = np.empty(N_GUARDS + N_PARTS), -np.inf
-    guards(mode, y, p, *STILL, g)
+    g, leans, in_flight = np.empty(N_GUARDS + N_PARTS), -np.inf, 0  # where no forces are sought
+    guards(in_flight, y, p, *STILL, g)
     for i in range(N_GUARDS):
-        leans = max(leans, -g[i]) if is_tilt(mode, i) else leans
+        leans = max(leans, -g[i]) if is_tilt(in_flight, i) else leans
     return leans
 
 

@@ -221,8 +221,9 @@ LEAST_FIRST_SLIP, MOST_FIRST_SLIP = 1.5e-13, 1e-7
 SPEED_AT_STOP = 1e-10
 # [s] the first step after it begins: a longer one, which is not stable, makes much of rounding.
 FIRST_STEP_OF_SLIP = 1e-6
-# Relative to the fastest slip that begins: a slower one is that of a point about which others turn.
-A_PIVOT = 2e-6
+# In LEAST_PART_OF_TURN of the fastest slip that begins: a slower one is that of a point about which
+# others turn, for which it stands.
+A_PIVOT = 2.0
 # Relative to how a point yields along the ground: the direction of a slip that begins is known.
 SAME_DIRECTION = 1e-13
 # Relative to how freely a point moves: it yields by so much at least where it is about to slip.

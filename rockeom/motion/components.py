@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable
 
 from rockeom.files import in_text
+from rockeom.motion.scaling import SCALE_IN_NAME
 from rockeom.numbers.checks import FilePath
 
 _CHANNEL = r"[bcdefhlms][hnlg]"
@@ -64,8 +65,8 @@ _GLUED_OF_PEER = re.compile(
 _PEER = re.compile(r"(?:RSN_?\d+|NGA_?(?:no_)?\d+)[^_]*(?:_(?=[^_]*_)[^_]+)?", re.IGNORECASE)
 """The number of a record of PEER, which its three components share, and its earthquake."""
 
-_SEED = re.compile(r"\bseed \d+(?:-A[^,]*)?$", re.IGNORECASE)
-"""End of the name of a synthetic motion, perhaps scaled: its number is no azimuth."""
+_SEED = re.compile(r"\bseed \d+$", re.IGNORECASE)
+"""End of the name of a synthetic motion: its number is no azimuth."""
 
 _SET = re.compile(r"(.+)_fema_p695_(.+)")
 _VERB = re.compile(r"scaled?|ramp(?:ed)?|warm|run|start|step|speed|slow|cool", re.IGNORECASE)
@@ -91,6 +92,9 @@ def split(name: str) -> tuple[str, str]:
     >>> split("RSN6_IMPVALL.I_I-ELC180"), split("RSN6_IMPVALL.I_I-ELC-UP")
     (('RSN6_IMPVALL.I', '180'), ('RSN6_IMPVALL.I', 'UP'))
     """
+    if scale := SCALE_IN_NAME.search(name):  # whose T1 is no transverse component
+        recording, component = split(name[: scale.start()])
+        return recording + scale[0], component
     if _SEED.search(name):
         return name, ""
     if of_peer := _PEER.match(name):

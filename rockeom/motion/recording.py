@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion.components import azimuth_and_vertical, name_of, split
 from rockeom.motion.ground_motion import GroundMotion, every_component
-from rockeom.motion.scaling import SCALE_IN_NAME, Acceleration, multiplier, target
+from rockeom.motion.scaling import Acceleration, multiplier, target
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
 from rockeom.numbers.checks import FilePath, InputError, InputTypeError, described, require_word
@@ -495,7 +495,7 @@ def _azimuth(motion: GroundMotion) -> float | None:
         at = motion.origin.azimuth
     else:
         title = motion.source.partition(_TITLE)[2].split(",")
-        name = "" if _TURNED in motion.name else SCALE_IN_NAME.sub("", motion.name)
+        name = "" if _TURNED in motion.name else motion.name
         names = split(name)[1], *reversed(title)
         found = (azimuth_and_vertical(name)[0] for name in names)
         at = next((one for one in found if one is not None), None)

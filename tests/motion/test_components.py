@@ -152,6 +152,15 @@ def test_what_is_made_of_a_vertical_component_is_vertical(tmp_path):
     assert not replace(record, is_vertical=False).scaled(2.0).is_vertical
 
 
+@pytest.mark.parametrize(("name", "recording", "component"), [
+    ("ELC-180-A2-T1", "ELC-A2-T1", "180"), ("ELC270-A-0.5-T1.5", "ELC-A-0.5-T1.5", "270"),
+    ("RSN6_IMPVALL.I_I-ELC-UP-A1e-05-T1", "RSN6_IMPVALL.I-A1e-05-T1", "UP"),
+    ("noise, seed 190-A2-T1", "noise, seed 190-A2-T1", ""), ("ELC-T1", "ELC", "T1"),
+])  # fmt: skip
+def test_the_factors_of_a_scaled_record_are_no_component(name, recording, component):
+    assert split(name) == (recording, component)
+
+
 # --- sets
 
 

@@ -315,6 +315,23 @@ def test_a_random_body_that_rubs_moves_by_the_laws_of_mechanics(seed):
     assert not list(violations(run, *laws))
 
 
+@pytest.mark.parametrize(
+    ("width", "height", "start"),
+    [
+        (0.3, 1.5, {"pitch": -0.3, "roll": 0.02, "x_dot": 1.0}),
+        (0.8, 0.8, {"pitch": 0.1, "x_dot": 0.5}),
+        (0.2, 2.0, {"x_dot": 0.5, "y_dot": 0.2}),
+    ],
+)
+def test_a_slip_that_jams_from_the_start_ends_by_an_impact(width, height, start):
+    """No force fits: friction of 2.5 presses a corner down more than it lifts it (Painleve)."""
+    body = rk.Prism(width=width, depth=0.5, height=height, mass=1.0, friction=2.5)
+    run = rk.simulate(body, STILL, initial=start)
+    assert run.outcome in (rk.Outcome.OVERTURNED, rk.Outcome.CAME_TO_REST)
+    assert (run.events[0].kind, run.events[0].time) == ("landing", 0.0)
+    assert not list(violations(run, 2.5))
+
+
 def test_slow_slips_take_no_more_steps_than_others():
     """They turn within nanoseconds, which had taken millions of steps."""
     run, *_ = on_feet(6002560, rubs=0.8)

@@ -12,6 +12,7 @@ import numpy as np
 from rockeom.codes import BEARS, IDLES, LIFTING, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
+    LEAST_PART_OF_TURN,
     PLACE_VALUES,
     REDUNDANT,
     any_rubs,
@@ -246,7 +247,7 @@ def with_directions(candidate, sliding, wanted, contact, share, motion):
             u, _ = rate_of(contact, DIRECTIONS * i + 1, motion, 0)
             v, _ = rate_of(contact, DIRECTIONS * i + 2, motion, 0)
             speed = math.sqrt(u * u + v * v)
-            if not speed > A_PIVOT * fastest:
+            if not speed > A_PIVOT * LEAST_PART_OF_TURN * fastest:
                 return -1  # others turn about it, and it sticks
             contact[i * POINT + 2], contact[i * POINT + 3] = u / speed, v / speed
             stuck += (digit_of_slip(i, contact) - BEARS) * PLACE_VALUES[i]

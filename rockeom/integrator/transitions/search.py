@@ -163,6 +163,13 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.contact, a.after
     )
     kind = kind_of(motion.mode, guard)
+    left = motion
+    if DIRECTIONS == 3 and mode == IMPOSSIBLE and kind == LIFTING:
+        # what begins jammed has no other way out than an impact, either
+        left, kind = motion._replace(mode=without(motion.mode, guard)), LANDING
+        mode, closed = pass_on(
+            left.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.contact, a.after
+        )
     if mode < 0:
         rest = stepped_over(motion, ground, end, True, case, a)
         # what has come to its end and goes on as before is no way out
@@ -171,7 +178,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         return motion._replace(outcome=failure_of(mode, a.y, case.p)), rest
     if kind == SWITCH:
         closed = still_closed(motion.mode, mode, guard, motion.closed, closed)
-    went = enter_mode(motion, guard, mode, closed, a, recorder)
+    went = enter_mode(left, guard, mode, closed, a, recorder)
     if DIRECTIONS == 3 and kind in (SLIPPING, STICKING):
         went = went._replace(h_next=min(went.h_next, FIRST_STEP_OF_SLIP))
     return went, Rest(np.inf, mode, False)
