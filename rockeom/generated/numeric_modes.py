@@ -540,7 +540,7 @@ def guards_in_code(mode, n, m, smooth, told, share, g):
     """Guards of the points of a mode into g: m gaps, or what points bear, or would not; then 2 m of
     slips and of sticking, where a point has friction that is not endless.
     """
-    pressing, laws = 0.0, laws_in(told, n, m)
+    pressing, pulled, laws = 0.0, 0.0, laws_in(told, n, m)
     for i in range(m):
         digit = digit_of(mode, i)
         g[i] = share[3 * i]
@@ -550,6 +550,7 @@ def guards_in_code(mode, n, m, smooth, told, share, g):
             g[i] = -share[3 * i]
         elif digit == BEARS and rubs_by(smooth, laws, i):
             pressing += laws[2 * i + 1] * max(share[3 * i], 0.0)
+            pulled += math.sqrt(share[3 * i + 1] ** 2 + share[3 * i + 2] ** 2)
     if not any_rubs(m, smooth, laws):
         return
     first = True
@@ -564,8 +565,10 @@ def guards_in_code(mode, n, m, smooth, told, share, g):
         elif digit == BEARS and rubs_by(smooth, laws, i) and first:
             dampers = np.empty(MOST_POINTS_IN_SPACE)
             part = least_friction(mode, n, m, smooth, told, share, dampers)
-            square = min(part, MOST_PART) ** 2
-            g[m + i] = pressing * (1.0 - square) / (1.0 + square)  # finite where a load vanishes
+            used = part * pressing if part < MOST_PART else pressing + pulled
+            size = math.sqrt(pressing * pressing + used * used)
+            # where a load vanishes it is finite, and negative if friction does not vanish as well
+            g[m + i] = (pressing - used) * (pressing + used) / size if size > 0.0 else 0.0
             first = False
 
 

@@ -27,6 +27,7 @@ from rockeom.integrator.polynomials import (
     slope_at,
 )
 from rockeom.integrator.provided import (
+    BENT,
     FULL_CONTACT,
     LOCALISED,
     N_GUARDS,
@@ -382,12 +383,14 @@ def fell_before(mode, target, closed, h, y, g, b):
     """Whether another guard fell before the event that a step ends on, by more than rounding.
 
     An event at which a guard hardly touches zero is corrected by much: it may pass another one.
-    Forces are judged by `settle` after it.
+    Forces are judged by `settle` after it, but for friction, of which a load that vanishes leaves
+    nothing: it is overcome before.
     """
     for i in range(guards_in(mode)):
-        if i == target or kind_of(mode, i) in (UPLIFT, LIFTING, SLIPPING):
+        kind = kind_of(mode, i)
+        if i == target or kind in (UPLIFT, LIFTING) or (kind == SLIPPING and not BENT):
             continue
-        if kind_of(mode, i) == IMPACT:
+        if kind == IMPACT:
             fell = -g[i] > PASSED * h * abs(y[ROTATION_RATE])
         else:
             fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not just_closed(closed, i)
