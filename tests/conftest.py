@@ -2,7 +2,6 @@
 
 import gc
 import os
-from collections.abc import Iterator
 from functools import cache, partial
 from pathlib import Path
 
@@ -36,21 +35,13 @@ TOGETHER = {
 the thesis go to that of its statements, which has simulated what they draw."""
 
 AS_WRITTEN = {
-    "assessment/test_held.py",
-    "contact/test_bars_at_feet.py",
-    "contact/test_held_block.py",
-    "contact/test_internal_variables.py",
-    "contact/test_restraints.py",
-    "contact/test_smooth.py",
-    "contact/test_springs_that_press.py",
-    "contact/test_states_of_events.py",
-    "contact/test_ties.py",
-    "contact/test_two_bodies.py",
-    "contact/test_yielding.py",
-    "integrator/test_space.py",
-    "space/test_free_body.py",
-    "space/test_smooth_feet.py",
-}
+    "assessment/test_held.py", "integrator/test_space.py",
+    "contact/test_bars_at_feet.py", "contact/test_held_block.py", "contact/test_restraints.py",
+    "contact/test_internal_variables.py", "contact/test_smooth.py", "contact/test_ties.py",
+    "contact/test_springs_that_press.py", "contact/test_states_of_events.py",
+    "contact/test_two_bodies.py", "contact/test_yielding.py",
+    "space/test_free_body.py", "space/test_smooth_feet.py",
+}  # fmt: skip
 """Files whose structures move for a few steps each, beside closed forms. Not optimised, programs
 take a third of the time to make; they differ by rounding. What LLVM makes of programs is the
 subject of others: the compiler, the oracle, golden numbers, random motions, shipped structures."""
@@ -120,17 +111,14 @@ def pytest_unconfigure() -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def programs_as_written(request: pytest.FixtureRequest) -> Iterator[None]:
+def programs_as_written(request: pytest.FixtureRequest):
     """Those of files AS_WRITTEN: LLVM translates them, and does not optimise them."""
-    name = request.path.relative_to(Path(__file__).parent).as_posix()
-    if name not in AS_WRITTEN:
-        yield
-        return
-    from rockeom.integrator import program
-
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(program, "compiled", partial(program.compiled, passes=()))
-        patch.setattr(program, "target", lambda of=program.target: f"{of()}, as written")
-        patch.setattr(program, "_of_parts", cache(program._of_parts.__wrapped__))
-        patch.setattr(program, "_SHARED", {})
+        if request.path.relative_to(Path(__file__).parent).as_posix() in AS_WRITTEN:
+            from rockeom.integrator import program
+
+            patch.setattr(program, "compiled", partial(program.compiled, passes=()))
+            patch.setattr(program, "target", lambda of=program.target: f"{of()}, as written")
+            patch.setattr(program, "_of_parts", cache(program._of_parts.__wrapped__))
+            patch.setattr(program, "_SHARED", {})
         yield
