@@ -2,7 +2,6 @@
 
 import gc
 import os
-from functools import cache, partial
 from pathlib import Path
 
 import pytest
@@ -35,17 +34,6 @@ TOGETHER = {
 """Files that go to the worker of another one, which has derived what both compare with. Others of
 the thesis go to that of its statements, which has simulated what they draw."""
 
-AS_WRITTEN = {
-    "assessment/test_held.py", "integrator/test_space.py",
-    "contact/test_bars_at_feet.py", "contact/test_held_block.py", "contact/test_restraints.py",
-    "contact/test_internal_variables.py", "contact/test_smooth.py", "contact/test_ties.py",
-    "contact/test_springs_that_press.py", "contact/test_states_of_events.py",
-    "contact/test_two_bodies.py", "contact/test_yielding.py",
-    "space/test_free_body.py", "space/test_smooth_feet.py",
-}  # fmt: skip
-"""Files whose structures move for a few steps each, beside closed forms. Not optimised, programs
-take a third of the time to make; they differ by rounding. What LLVM makes of programs is the
-subject of others: the compiler, the oracle, golden numbers, random motions, shipped structures."""
 
 # SymPy, imported later, remembers 1,000 results of each of its functions where nothing is said, and
 # forgets others that the next model asks for again.
@@ -89,7 +77,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     places = {Path(__file__).parent / name: place for place, name in enumerate(LONGEST)}
     root = Path(__file__).parents[1]
     assert all(path.exists() for path in places)
-    assert all((root / "tests" / name).exists() for name in AS_WRITTEN)
     assert all((root / name).exists() for pair in TOGETHER.items() for name in pair)
     items.sort(key=lambda item: places.get(item.path, len(places)))
 
@@ -109,17 +96,3 @@ def garbage_of_its_own() -> None:
 def pytest_unconfigure() -> None:
     """Nor need it be looked through once more at the end of a process: that takes seconds."""
     gc.freeze()
-
-
-@pytest.fixture(scope="module", autouse=True)
-def programs_as_written(request: pytest.FixtureRequest):
-    """Those of files AS_WRITTEN: LLVM translates them, and does not optimise them."""
-    with pytest.MonkeyPatch.context() as patch:
-        if request.path.relative_to(Path(__file__).parent).as_posix() in AS_WRITTEN:
-            from rockeom.integrator import program
-
-            patch.setattr(program, "compiled", partial(program.compiled, passes=()))
-            patch.setattr(program, "target", lambda of=program.target: f"{of()}, as written")
-            patch.setattr(program, "_of_parts", cache(program._of_parts.__wrapped__))
-            patch.setattr(program, "_SHARED", {})
-        yield
