@@ -15,7 +15,6 @@ LONGEST = (
     "analysis/test_unfinished_work.py",
     "thesis/test_statements.py",
     "soak/test_soak.py",
-    "test_house.py",
 )
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""
