@@ -296,7 +296,12 @@ def _wrong_impacts(run: rk.Response, friction: float | None, restitution: float)
             yield f"impulses at {t[i]:.6g} s lack {left / before.mass:.1e} m/s"
     falls, fastest = arrives[..., 2], np.linalg.norm(arrives, axis=-1).max(-1, keepdims=True)
     digits = 1e-9 * np.abs(falls).max(-1, keepdims=True) + 5e-11 * fastest
-    low = leaves[..., 2] < -restitution * np.minimum(falls, 0.0) - digits - begins
+    least = -restitution * np.minimum(falls, 0.0)
+    low, high = leaves[..., 2] < least - digits - begins, leaves[..., 2] > least + digits + begins
+    alone = touches & (touches.sum(-1, keepdims=True) == 1) & (falls < 0.0)
+    for i, foot in np.argwhere(alone & high):
+        rises, fell = leaves[i, foot, 2], falls[i, foot]
+        yield f"{feet[foot]} alone leaves at {rises:.3g} m/s after {fell:.3g} at {t[i]:.6g} s"
     for i, foot in np.argwhere(closed & low):
         others = np.flatnonzero(touches[i] & (np.arange(len(feet)) != foot))
         left = _left_by_friction(before, i, slips[i], others, gained[i], friction)
