@@ -334,13 +334,13 @@ def _wrong_rests(run: rk.Response, friction: float | None) -> Iterator[str]:
     gained[:, :3] -= force * lasts[:, None]
     work = (force * (after.place - before.place)).sum(-1)
     size = np.abs(before.momentum * scale).max(-1)
-    near = before.heights < 1e-5 * before.length
+    near, slow = before.heights < 1e-5 * before.length, LAST_SLIP if friction else HOP
     for i, t in enumerate(rests.times):
         slips = np.zeros_like(before.velocities[i])  # of any direction on the way
         left = _left_by_friction(before, i, slips, np.flatnonzero(near[i]), gained[i], friction)
-        if left > max(1e-6 * size[i], (LAST_SLIP if friction else HOP) * before.mass):
+        if left > max(1e-6 * size[i], before.mass * slow):
             yield f"impulses of the rest at {t:.6g} s lack {left / before.mass:.1e} m/s"
-        if after.energy[i] > before.energy[i] * (1.0 + 1e-6) + work[i] + before.mass * HOP**2:
+        if after.energy[i] > before.energy[i] * (1.0 + 1e-6) + work[i] + before.mass * slow**2:
             yield f"the energy grows over the rest at {t:.6g} s"
 
 

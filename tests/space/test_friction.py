@@ -380,3 +380,10 @@ def test_both_corners_of_an_edge_that_is_shaken_across_slip_alike(seed, offset, 
         assert abs(run.extremes("pitch").peak) == pytest.approx(
             abs(right.extremes("theta").peak), rel=1e-4
         )
+
+
+def test_a_body_begins_to_slide_as_a_whole_while_one_of_its_feet_lifts():
+    """Friction suffices until the force of a corner is all but zero, in a step that has both."""
+    run, *laws = on_feet(7112450, rubs=1.5)
+    assert run.outcome.value == "completed"
+    assert not list(violations(run, *laws))

@@ -288,14 +288,16 @@ def first_yields(stuck, alone, contact, held, yields):
     In the ratios of `least_friction`, and as large as that of one of these points alone would be.
     alone (N_POINTS,) : how freely each of them moves along the ground; 0 of others.
     """
-    c, most = np.zeros(N_POINTS), 0.0
+    c, most, largest = np.zeros(N_POINTS), 0.0, 0.0
     part = least_friction(stuck, N_COORDINATES, N_POINTS, SMOOTH, contact, held, c)
     if part > 1.0 + ABOUT_TO_SLIP:
         return False
     for i in range(N_POINTS):
+        largest = max(largest, bound_of(i, contact, held))
+    for i in range(N_POINTS):
         if alone[i] > 0.0:
-            if not (bound_of(i, contact, held) > 0.0 and c[i] > 0.0):
-                return False
+            if not (bound_of(i, contact, held) > NEARLY * largest and c[i] > 0.0):
+                return False  # a point that lifts as it begins to slip, too
             most = max(most, 1.0 / (c[i] * alone[i]))
     for i in range(N_POINTS):
         if alone[i] > 0.0:
