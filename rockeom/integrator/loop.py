@@ -532,10 +532,14 @@ def land(motion, ground, step, case, a):
         move = time_to_landing(motion, step, case, a)
         near = 0.1 if step.corrections == 0 else 0.01
     else:
-        guards(motion.mode, a.y_new, case.p, *ground_accelerations(ground, tau), a.g)
-        value, slope = a.g[step.target], step.slope
+        ends_before = 0.0
         if AXES == 3 and kind_of(motion.mode, step.target) == STICKING:
-            value -= min(SPEED_AT_STOP, case.rtol)
+            # within the step, however short it is: by no more than half of what is left there
+            guards(motion.mode, a.y, case.p, *ground_accelerations(ground, motion.t), a.g)
+            ends_before = min(SPEED_AT_STOP, case.rtol, 0.5 * max(a.g[step.target], 0.0))
+            near = 0.6 if step.corrections == 0 else near
+        guards(motion.mode, a.y_new, case.p, *ground_accelerations(ground, tau), a.g)
+        value, slope = a.g[step.target] - ends_before, step.slope
         if BENT and step.corrections > 0 and (value - step.value) * step.moved < 0.0:
             slope = (value - step.value) / step.moved
         move = -value / slope if slope < 0.0 else 0.0

@@ -348,6 +348,17 @@ def test_slow_slips_take_no_more_steps_than_others():
     assert len(run.t) < 30_000
 
 
+def test_the_last_steps_of_a_slip_do_not_halve_towards_its_end():
+    """They did once a step had come near it: a third of all steps were shorter than 1 ns."""
+    body, (x, y, up) = rk.Prism(width=0.5, depth=0.7, height=2.0, mass=1.0, friction=0.3), EL_CENTRO
+    start = {"pitch": 0.03, "roll": -0.04}
+    run = rk.simulate(body, x, transverse=y, vertical=up, duration=3.0, initial=start)
+    ends = np.array([event.time for event in run.events if event.kind == "slip ends"])
+    begins = run.steps.span[:, :1]
+    assert len(ends) == 3
+    assert ((ends - 1e-9 < begins) & (begins < ends)).sum(0).max() < 5
+
+
 @pytest.mark.parametrize(("speed", "part"), [(1e-5, 1.0), (1.01e-7, 1.0), (1e-9, 0.01)])
 def test_a_slip_turns_as_coulomb_has_it_but_for_the_slowest(speed, part):
     """dw/dt = -a - mu g w/|w|, across which one of 1e-9 m/s turns as one of 1e-7 m/s would."""
