@@ -26,8 +26,10 @@ from numpy.typing import ArrayLike
 
 from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
+from rockeom.generated.numeric_modes import slips_in
 from rockeom.integrator import records
 from rockeom.integrator.program import tangent_program
+from rockeom.integrator.schema import has_landings, is_by_code
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
@@ -137,7 +139,7 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     ------
     ValueError
         As `simulate`, and for a structure of which a force jumps where no mode ends: derivatives
-        end there, too.
+        end there, too; and where a point slips with friction in space.
     TypeError
         As `simulate`.
 
@@ -199,7 +201,29 @@ def _motion(case: Case, problem: Problem, along: ProblemTangents, options: Solve
             f"a force of {type(case.structure).__name__} jumps between its events, and derivatives "
             "with it: give it one law for all speeds, or the speed of the last impact"
         )
-    return Motion(simulated(nominal(case), problem, options), problem, along)
+    response = simulated(nominal(case), problem, options)
+    _check_slips(response)
+    return Motion(response, problem, along)
+
+
+def _check_slips(response: Response) -> None:
+    """Raises InputError where a point slips with friction in space: friction turns with the slip.
+
+    Where that is slow it turns so fast that steps follow the motion and not its derivatives, and
+    the end of a slip has no direction.
+    """
+    module, steps = response.structure.module, response.steps
+    if not (has_landings(module) and is_by_code(module)):
+        return
+    slips = [k for k in np.unique(steps.mode).tolist() if slips_in(k, len(module.POINTS))]
+    which = np.flatnonzero(np.isin(steps.mode, slips))
+    if len(which):
+        mode, t = module.MODES[int(steps.mode[which[0]])], float(steps.span[which[0], 0])
+        raise InputError("case", of="tangents").says(
+            f"a point slips from {t:.6g} s, in mode {mode}, and its friction turns with the slip: "
+            "derivatives of such a motion are not known. Take differences of two motions, end it "
+            "before, or let points stick, by friction=None"
+        )
 
 
 class _Carried(NamedTuple):

@@ -445,6 +445,14 @@ def test_what_has_no_derivative_is_refused():
         rk.sensitivity(case, of=["peak north_east_reaction"], to=["azimuth"])
 
 
+def test_derivatives_of_a_motion_in_which_a_slip_turns_are_refused():
+    """They were wrong by a fifth, or NaN, at the end of a slip."""
+    body = rk.Prism(width=0.5, depth=0.7, height=2.0, mass=1000.0, friction=0.3)
+    case = rk.Case(body, 2 * RECORDING, azimuth=0.4, initial=LEANS, duration=0.39)
+    with pytest.raises(ValueError, match=r"a point slips from 0.* s, in mode .*Take differences"):
+        rk.sensitivity(case, of=["end tilt"], to=["azimuth"])
+
+
 # -- sets and files of recordings ------------------------------------------------------------------
 
 
