@@ -202,8 +202,9 @@ def _unbalanced(run: rk.Response, weight: float, friction: float | None) -> Iter
     turning = (body.tensor @ spin_rate(state, moves)[..., None])[..., 0] + gyroscopic
     needed = np.concatenate([body.mass * acceleration, turning], -1)
     total = np.concatenate([forces.sum(1), np.cross(body.arms, forces).sum(1)], -1)
-    size = weight * np.array([1.0] * 3 + [body.length] * 3)
+    scale = np.array([1.0] * 3 + [body.length] * 3)
     for i, (lacks, force) in enumerate(zip(total - needed, forces, strict=True)):
+        size = max(weight, np.abs(force).max()) * scale  # which grow beyond all bounds in a jam
         if (np.abs(lacks) > CLOSE * size).any():
             lacks = _but_across_slow_slips(body, i, feet[i], lacks, np.abs(total[i]).max())
             if (np.abs(lacks) > CLOSE * size).any():
