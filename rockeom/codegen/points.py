@@ -1,5 +1,6 @@
 """Free motion and points of a structure whose contacts were declared: the same in all modes."""
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
@@ -140,11 +141,14 @@ def _angles(text: Text, expressions: Iterable[sp.Expr]) -> list[sp.Symbol]:
 
 
 def _by_sines(e: sp.Expr, angles: Sequence[sp.Symbol]) -> sp.Expr:
-    """A sum as factors of the sine and cosine of the first angle, and these as of the others."""
+    """A sum as factors of what depends on the first angle, and these as of the others."""
     if not angles:
         return e
-    sines = [function(angles[0]) for function in (sp.sin, sp.cos)]
-    return sp.collect(sp.expand(e), sines, func=lambda factor: _by_sines(factor, angles[1:]))
+    factors: defaultdict[sp.Expr, list[sp.Expr]] = defaultdict(list)
+    for term in sp.Add.make_args(sp.expand(e)):
+        factor, turned = term.as_independent(angles[0], as_Add=False)
+        factors[turned].append(factor)
+    return sp.Add(*(x * _by_sines(sp.Add(*of), angles[1:]) for x, of in factors.items()))
 
 
 def _products(rows: list[list[sp.Expr]], indent: str) -> list[str]:

@@ -153,51 +153,35 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
     change of velocities as bias. told : of `points`, then the `laws`. share : of an idle point what
     it would bear. Returns how many rows are independent.
     """
-    rows, g, z = np.empty(MOST_ROWS, np.int64), np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
+    rows, pivots = np.empty(MOST_ROWS, np.int64), np.empty(MOST_COORDINATES, np.int64)
+    g, b, width = np.empty(MOST_UNKNOWNS), np.empty(MOST_UNKNOWNS), n + 1
+    free, ways = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_UNKNOWNS)
+    z, along = np.empty(MOST_COORDINATES), np.empty(2 * MOST_POINTS_IN_SPACE)
+    laws = laws_in(told, n, m)
+    directions_of_slips(mode, n, m, told, along)
     rows_in(mode, m, smooth, rows)
     squares_of_rows(n, m, rows, told, bias, g)
-    if slips_in(mode, m):
-        along, laws = np.empty(2 * MOST_POINTS_IN_SPACE), laws_in(told, n, m)
-        directions_of_slips(mode, n, m, told, along)
-        rank = hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z)
-        forces_of_points(n, m, rows, told, z, share)
-        add_friction(mode, m, laws, along, share)
-    else:
-        pivots = np.empty(MOST_COORDINATES, np.int64)
-        rank = move_by_squares(n, matrix, forces, g, pivots, x)
-        unknowns_of_forces(n, matrix, forces, g, pivots, x, z)
-        forces_of_points(n, m, rows, told, z, share)
-    return rank
-
-
-@everywhere
-def hold_with_slips(mode, n, m, matrix, forces, told, along, g, x, z):
-    """Accelerations x (n,) and unknowns of forces z (n,) where friction is with normal forces.
-
-    g (n, n + 1) : of `squares_of_rows`. Returns how many rows are independent.
-    """
-    b, width, laws = np.empty(MOST_UNKNOWNS), n + 1, laws_in(told, n, m)
-    pivots, free = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_COORDINATES, np.int64)
-    ways, column = np.empty(MOST_UNKNOWNS), np.empty(MOST_COORDINATES)
     for i in range(n):
         for j in range(i, n):
             b[i * width + j] = b[j * width + i] = -g[i * width + j]
     rub(mode, n, m, laws, along, told, b)
     rank = reduced_rows(n, width, g, pivots)
     order = allowed(n, g, pivots, x, free, ways)
-    unbalanced(n, matrix, forces, x, column)
+    unbalanced(n, matrix, forces, x, z)
     for i in range(n):
-        b[i * width + n] = column[i]
+        b[i * width + n] = z[i]
     for r in range(order):
-        moved(n, matrix, ways, r, column)
+        moved(n, matrix, ways, r, z)
         for i in range(n):
-            b[i * width + free[r]] = column[i]
+            b[i * width + free[r]] = z[i]
     solve_by_rows(n, b)
-    for r in range(order):
-        column[r] = b[free[r] * width + n]
     for i in range(n):
         z[i] = b[i * width + n] if pivots[i] == 1 else 0.0
-    go(n, order, ways, column, 1, x)
+    forces_of_points(n, m, rows, told, z, share)
+    add_friction(mode, m, laws, along, share)
+    for r in range(order):
+        z[r] = b[free[r] * width + n]
+    go(n, order, ways, z, x)
     return rank
 
 
@@ -326,12 +310,12 @@ def moved(n, matrix, ways, r, out):
 
 
 @everywhere
-def go(n, order, ways, s, stride, x):
-    """Add N s to x (n,), s every `stride` numbers; zero where nothing but rounding is left."""
+def go(n, order, ways, s, x):
+    """Add N s to x (n,); zero where nothing but rounding is left."""
     for i in range(n):
         total, largest = x[i], abs(x[i])
         for r in range(order):
-            term = s[r * stride] * ways[r * n + i]
+            term = s[r] * ways[r * n + i]
             total += term
             largest += abs(term)
         x[i] = total if abs(total) > NONE_OF_TERMS * largest else 0.0
@@ -374,7 +358,9 @@ def move_by_squares(n, matrix, forces, g, pivots, x):
                 total += along[i] * ways[s * n + i]
             left[r * (order + 1) + s] = total
     solve_by_rows(order, left)
-    go(n, order, ways, left[order:], order + 1, x)
+    for r in range(order):
+        rest[r] = left[r * (order + 1) + order]
+    go(n, order, ways, rest, x)
     return rank
 
 

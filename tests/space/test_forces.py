@@ -35,6 +35,10 @@ def leaning(rng, digits: np.ndarray) -> tuple[np.ndarray, ...]:
     free = null_space(j, rcond=1e-9)
     y[N:] = free @ (free.T @ y[N:])
     m.points(y, p, told)
+    for point in np.flatnonzero(digits >= SLIPS):  # one that cannot move slips, too, and not slowly
+        slip = told.reshape(M, -1)[point, 2:4]
+        if np.hypot(*slip) < 1e-6:
+            slip[:] = np.eye(2)[digits[point] - SLIPS]
     m.free_motion(y, p, *rng.normal(0.0, 3.0, 3), 0, matrix, forces)
     m.point_laws(p, laws)
     return matrix, forces, told, laws
