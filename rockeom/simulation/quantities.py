@@ -6,7 +6,7 @@ deformations of elements, the forces of the ground on the whole structure, and w
 """
 
 from collections.abc import Sequence
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -179,19 +179,7 @@ class Quantities:
 
     def of_program(self, rows: Rows) -> dict[str, Any]:
         """The main quantities but for the states, at times that do not fall."""
-        t, y, mode = rows
-        p, n = self.program, len(t)
-        tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
-        values = [np.empty((n, len(names))) for names in tables]
-        p.evaluate(mode, t, y, *self.ground.tables, self.structure.vector, *values)
-        quantities = {
-            name: value[:, i]
-            for names, value in zip(tables, values, strict=True)
-            for i, name in enumerate(names)
-        }
-        quantities["total_energy"] = values[0].sum(axis=1)
-        names = ground_accelerations(self.structure.module)
-        return quantities | dict(zip(names, self.ground.shaking(t), strict=True))
+        return _of_program(self.program, self.structure, self.ground, rows)
 
     def columns(self, names: Sequence[str]) -> Evaluate:
         """The function that gives quantities (n, m) at times, states and modes (n,)."""
@@ -237,7 +225,23 @@ class Quantities:
         """Works and losses since the start."""
         assert self.events is not None
         ground, steps = self.ground.accelerations, self.steps("the work")
-        return Works(self.structure, ground, self.of_program, steps, self.events)
+        forces = partial(_of_program, self.program, self.structure, self.ground)  # and no cycle
+        return Works(self.structure, ground, forces, steps, self.events)
+
+
+def _of_program(p: Program, structure: Structure, ground: Ground, rows: Rows) -> dict[str, Any]:
+    t, y, mode = rows
+    tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
+    values = [np.empty((len(t), len(names))) for names in tables]
+    p.evaluate(mode, t, y, *ground.tables, structure.vector, *values)
+    quantities = {
+        name: value[:, i]
+        for names, value in zip(tables, values, strict=True)
+        for i, name in enumerate(names)
+    }
+    quantities["total_energy"] = values[0].sum(axis=1)
+    names = ground_accelerations(structure.module)
+    return quantities | dict(zip(names, ground.shaking(t), strict=True))
 
 
 # -- places -------------------------------------------------------------------------------------
