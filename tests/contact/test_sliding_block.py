@@ -296,8 +296,9 @@ def test_every_landing_is_that_of_the_reference_and_without_restitution_gains_no
         gap, rates = at.gaps[0], at.rates[0, :, 1]
         if e == 0.0:
             assert block.at(**event.after).kinetic()[0] <= at.kinetic()[0] * (1 + 1e-12)
-        clear = np.all((np.abs(gap) < 1e-11) | (gap > 1e-6))
-        if clear and rates[np.abs(gap) < 1e-11].min() < -1e-3:
+        # a corner 7e-12 m above the ground lands a moment later
+        clear = np.all((np.abs(gap) < 1e-12) | (gap > 1e-6))
+        if clear and rates[np.abs(gap) < 1e-12].min() < -1e-3:
             seen += 1
             try:
                 assert_lands_as_the_reference(block, event)
