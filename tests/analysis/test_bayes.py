@@ -80,7 +80,7 @@ def test_an_unknown_noise_has_the_evidence_and_the_quantiles_of_quadrature():
     below = cumulative_simpson(density, x=sigma, initial=0.0)
     # Laplace's is no more exact
     assert found.log_evidence == pytest.approx(math.log(below[-1]), abs=0.05)
-    drawn = found.sample(120, warm_up=30, seed=2)
+    drawn = found.sample(300, warm_up=30, seed=2)
     for p in (0.05, 0.5, 0.95):
         at = np.interp(p, below / below[-1], sigma)
         assert np.mean(drawn.values["noise"] < at) == pytest.approx(p, abs=0.06)
@@ -95,7 +95,7 @@ def test_intervals_with_flat_priors_are_those_of_regression():
         assert found.laplace.interval(name) == pytest.approx(known.interval(name), rel=1e-3)
     student = identification.fit(line, Y, {"k": 1.0, "c": 0.0})
     drawn = posterior(Observed.formula(line, Y), {**flat, "noise": ANY_NOISE}).sample(
-        200, warm_up=30, seed=5
+        300, warm_up=30, seed=5
     )
     for name in flat:
         error = student.standard_error[name]
@@ -202,7 +202,7 @@ def test_the_truth_of_a_free_vibration_lies_within_its_intervals(let_go):
     for name, x in (TRUE | {"noise": 1e-3}).items():
         low, high = let_go.laplace.interval(name, 0.99)
         assert low < x < high
-    drawn = let_go.sample(120, chains=1, warm_up=40, seed=1)
+    drawn = let_go.sample(200, chains=1, warm_up=40, seed=1)
     assert drawn.diverging <= 3
     assert set(drawn.outcomes) == {"as measured"}
     for name, error in let_go.laplace.standard_error.items():
@@ -387,7 +387,7 @@ def test_table_a_1_has_the_intervals_of_its_regressions():
         priors = {name: stats.uniform(*ends) for name, ends in flat.items()}
         fitted = identification.fit(model, y, dict.fromkeys(flat, 0.5))
         drawn = posterior(Observed.formula(model, y), {**priors, "noise": ANY_NOISE}).sample(
-            80, warm_up=30, seed=1
+            150, warm_up=30, seed=1
         )
         for name, error in fitted.standard_error.items():
             wanted = fitted.interval(name, 0.9)

@@ -1,13 +1,10 @@
 """Straps and anchors of a structure on sliding feet, against integrations of one angle."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 import rockeom as rk
-from tests.assessment.test_held import RACK
 from tests.refusals import told
 
 B, H, MASS, G = 0.25, 0.9, 300.0, 9.81
@@ -60,13 +57,11 @@ def moment_of_strap(theta, at, to, stiffness, pretension=0.0):
 
 
 STRAP = {"at": (-0.25, 1.6), "to": (-0.6, 1.7), "stiffness": 2e4}
-STRETCHED = rk.Strap(**STRAP, strength=500.0, breaks_at=rk.Break(energy=1e6))
-"""It stretches. `tests/codegen` has one of the same equations, which take ten seconds to derive."""
 
 
 @pytest.mark.parametrize("pretension", [0.0, 200.0])
 def test_a_strap_turns_a_statue_back_as_its_exact_length_has_it(pretension):
-    block = statue(rk.Strap(**STRAP, pretension=pretension, breaks_at=rk.Break(force=1e9)))
+    block = statue(rk.Strap(**STRAP, pretension=pretension))
     start, until = leaning(0.08, 0.4), 0.05
     run = rk.simulate(block, rk.GroundMotion.none(until), initial=start, options=FINE)
     of = [STRAP["at"], STRAP["to"], STRAP["stiffness"], pretension]
@@ -111,9 +106,11 @@ def test_an_anchor_holds_the_foot_that_rises():
     assert np.abs(run["anchor_left_elongation"] - run["left_uplift"]).max() < 1e-15
 
 
-@pytest.mark.parametrize("block", [statue(STRETCHED), RACK], ids=["strap", "two anchors"])
-def test_a_restrained_structure_comes_back_from_a_file(block, tmp_path):
-    run = rk.simulate(block, rk.GroundMotion.none(0.05), initial=leaning(1e-4, 0.0))
+def test_a_restrained_structure_comes_back_from_a_file(tmp_path):
+    block = statue(rk.Strap(**STRAP, breaks_at=rk.Break(force=1500.0)), rk.Anchor(
+        foot="right", stiffness=1e6, strength=2e3, breaks_at=rk.Break(energy=20.0)
+    ))  # fmt: skip
+    run = rk.simulate(block, rk.GroundMotion.none(0.05), initial=leaning(0.03, 0.0))
     run.save(tmp_path / "run.nc")
     again = rk.load(tmp_path / "run.nc")
     assert (again.structure, again.final) == (block, run.final)
@@ -121,7 +118,7 @@ def test_a_restrained_structure_comes_back_from_a_file(block, tmp_path):
 
 def test_derivatives_by_the_strength_are_those_of_differences():
     def case(strength):
-        block = statue(replace(STRETCHED, strength=strength))
+        block = statue(rk.Strap(**STRAP, strength=strength))
         start = leaning(0.03, 1.0)
         return rk.Case(block, rk.GroundMotion.none(0.3), initial=start)
 

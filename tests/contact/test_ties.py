@@ -158,8 +158,7 @@ def test_break_is_kept_by_pickles_and_sweeps():
     assert broken == [0.0, 1.0, 1.0]
 
 
-# of the limits of force the two that have what the others have: each takes two programs
-@pytest.mark.parametrize("name", [*BREAKS][1:2] + [*BREAKS][3:5] + [*BREAKS][6:])
+@pytest.mark.parametrize("name", BREAKS)
 def test_derivatives_pass_through_a_break(name):
     limit, value, tie, times, *_ = BREAKS[name]
     answers = [f"event {len(times)} time", "end x", "end x_dot"]

@@ -447,7 +447,7 @@ def test_vectors_have_the_bits_of_plain_python(which):
         part = Batch(np.arange(len(problems)), Problems.of(problems), [])
         results = Results.empty(len(problems), module.N_STATES, 20)
         with np.errstate(all="ignore"):
-            solver = rk.SolverOptions(rtol=1e-5)
+            solver = rk.SolverOptions(rtol=1e-7)
             results.integrate(part, SimpleNamespace(**calls, **sizes), solver, Event(), True)
         found.append(results)
     by_vectors, by_python = found

@@ -76,10 +76,8 @@ def test_column_under_three_pulses_rocks_as_scipy_says(method):
     np.testing.assert_allclose(run.end, wanted, atol=1e-9)
 
 
-# every structure by DOP853 in the test of derivatives, every method in the one beside SciPy
-@pytest.mark.parametrize(
-    ("name", "method"), [("block", "Radau"), ("column", "DOP853"), ("sliding", "RK45")]
-)
+@METHODS
+@pytest.mark.parametrize("name", PLANE)
 def test_transverse_motion_acts_where_the_equations_have_it(name, method):
     options = rk.SolverOptions(method=method)
     one, other = (rk.simulate(case, options=options) for case in cases(name))
