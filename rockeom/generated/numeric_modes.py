@@ -177,7 +177,7 @@ def hold(mode, n, m, smooth, matrix, forces, told, bias, x, share):
     solve_by_rows(n, b)
     for i in range(n):
         z[i] = b[i * width + n] if pivots[i] == 1 else 0.0
-    forces_of_points(n, m, rows, told, z, share)
+    forces_of_points(n, m, 3, rows, told, z, share)
     add_friction(mode, m, laws, along, share)
     for r in range(order):
         z[r] = b[free[r] * width + n]
@@ -207,19 +207,17 @@ def press_by_squares(n, m, matrix, forces, g, rows, pivots, told, accelerations,
     z = np.empty(MOST_COORDINATES)
     move_by_squares(n, matrix, forces, g, pivots, accelerations)
     unknowns_of_forces(n, matrix, forces, g, pivots, accelerations, z)
-    for point in range(m):
-        lever, total = lever_of(3 * point, n), 0.0
-        if rows[3 * point] > 0:
-            for i in range(n):
-                total += told[lever + i] * z[i]
-        share[3 * point] = total
+    forces_of_points(n, m, 1, rows, told, z, share)
 
 
 @everywhere
-def forces_of_points(n, m, rows, told, z, share):
-    """The forces J z of rows that are held, also of the gap of an idle point, into share (3 m,)."""
+def forces_of_points(n, m, directions, rows, told, z, share):
+    """The forces J z of rows that are held, also of the gap of an idle point, into share (3 m,).
+
+    directions : 3, or 1 for normal forces alone.
+    """
     for point in range(m):
-        for k in range(3):
+        for k in range(directions):
             lever, total = point * (FIRST_LEVER + 3 * n) + FIRST_LEVER + k * n, 0.0
             if rows[3 * point + k] > 0:
                 for i in range(n):
@@ -338,11 +336,8 @@ def move_by_squares(n, matrix, forces, g, pivots, x):
     g (n, n + 1) : J'J and -J' bias behind it. Returns how many rows are independent.
     """
     free, ways = np.empty(MOST_COORDINATES, np.int64), np.empty(MOST_UNKNOWNS)
-    rest, along, left = (
-        np.empty(MOST_COORDINATES),
-        np.empty(MOST_COORDINATES),
-        np.empty(MOST_UNKNOWNS),
-    )
+    rest, along = np.empty(MOST_COORDINATES), np.empty(MOST_COORDINATES)
+    left = np.empty(MOST_UNKNOWNS)
     rank = reduced_rows(n, n + 1, g, pivots)
     order = allowed(n, g, pivots, x, free, ways)
     unbalanced(n, matrix, forces, x, rest)

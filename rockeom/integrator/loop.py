@@ -533,7 +533,7 @@ def land(motion, ground, step, case, a):
         near = 0.1 if step.corrections == 0 else 0.01
     else:
         ends_before = 0.0
-        if AXES == 3 and kind_of(motion.mode, step.target) == STICKING:
+        if BENT and kind_of(motion.mode, step.target) == STICKING:
             # within the step, however short it is: by no more than half of what is left there
             guards(motion.mode, a.y, case.p, *ground_accelerations(ground, motion.t), a.g)
             ends_before = min(SPEED_AT_STOP, case.rtol, 0.5 * max(a.g[step.target], 0.0))

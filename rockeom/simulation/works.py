@@ -7,14 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.codes import REST
-from rockeom.generated.numeric_modes import slips_in
 from rockeom.integrator.schema import GeneratedModule, SearchedModes, has_landings, is_by_code
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import at_states, filled, jets
-from rockeom.structures.searched_modes import breaking
+from rockeom.structures.searched_modes import breaking, slipping
 
 _WORKS = ("ground_work", "damping_loss", "force_work", "friction_loss")
 
@@ -188,8 +187,7 @@ class Works:
         ways: tuple[str, ...] = ("",)
         some, (t, y, mode) = np.full(len(rows.t), True), rows
         if is_by_code(m):  # to solve for forces takes long: only where a point slips
-            slips = [k for k in np.unique(mode).tolist() if slips_in(k, len(m.POINTS))]
-            some, ways = np.isin(mode, slips), ("_x", "_y")
+            some, ways = slipping(m, mode), ("_x", "_y")
             if not some.any():
                 return lost
             t, y, mode = (column[some] for column in rows)

@@ -14,6 +14,7 @@ import numpy as np
 
 from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
+from rockeom.generated.numeric_modes import slips_in
 from rockeom.integrator.linking import texts_of_modes
 from rockeom.integrator.schema import (
     PROVIDED,
@@ -305,6 +306,13 @@ def breaking(module: GeneratedModule) -> dict[str, int]:
         for name in names
         if f"{name}_broken" in module.STATES
     }
+
+
+def slipping(module: SearchedModes, modes: np.ndarray) -> np.ndarray:
+    """(n,) whether points slip with friction in modes (n,) whose numbers are codes of digits."""
+    numbers = np.unique(modes)
+    slips = [slips_in(number, len(module.POINTS)) for number in numbers.tolist()]
+    return np.isin(modes, numbers[np.array(slips, bool)])
 
 
 def drawn_out(

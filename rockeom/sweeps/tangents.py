@@ -26,7 +26,6 @@ from numpy.typing import ArrayLike
 
 from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
-from rockeom.generated.numeric_modes import slips_in
 from rockeom.integrator import records
 from rockeom.integrator.program import tangent_program
 from rockeom.integrator.schema import has_landings, is_by_code
@@ -38,6 +37,7 @@ from rockeom.simulation.ground import COMPONENTS, ground_of
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Outcome, Response, fall_is_judged
 from rockeom.simulation.simulate import simulated
+from rockeom.structures.searched_modes import slipping
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,8 +215,7 @@ def _check_slips(response: Response) -> None:
     module, steps = response.structure.module, response.steps
     if not (has_landings(module) and is_by_code(module)):
         return
-    slips = [k for k in np.unique(steps.mode).tolist() if slips_in(k, len(module.POINTS))]
-    which = np.flatnonzero(np.isin(steps.mode, slips))
+    which = np.flatnonzero(slipping(module, steps.mode))
     if len(which):
         mode, t = module.MODES[int(steps.mode[which[0]])], float(steps.span[which[0], 0])
         raise InputError("case", of="tangents").says(
