@@ -136,7 +136,7 @@ CLOSEST = 1e-7
 NO_MOTION = 1e-8
 # In the same units: a slip of an idle point that is nothing but rounding of a structure at rest.
 NO_SLIP = 1e-10
-# Rate of a rotation that points hold [rad/s]: rounding errors of the last impacts.
+# Rate of a rotation that points hold [rad/s], and its rate [rad/s2]: rounding errors.
 NO_TURN = 1e-14
 # In units of sqrt(a l): the speed of landings between whose outcomes nothing decides.
 SLOW = 1e-6

@@ -106,8 +106,9 @@ class Prism(_StandingBody):
     Notes
     -----
     A corner that never slips is released where it would jam: where no forces fit that press, it
-    bears without friction until it opens or lands again. Where several sets of corners fit an
-    impact, the one with more corners closed follows.
+    bears without friction until it opens or lands again, or the prism stands flat, which ends
+    its slide. Where several sets of corners fit an impact, the one with more corners closed
+    follows.
 
     Impacts follow Moreau's law: after one plus restitution times before it, velocities of corners
     satisfy the laws of gap and friction. So a corner that sticks in it leaves with its slip turned

@@ -139,3 +139,26 @@ def test_a_corner_that_would_jam_is_released_until_it_opens_or_an_impact():
         spin_rate(oriented(case.given["R"], case.given["omega"]), moves),
         np.array(right["alpha"], float), atol=1e-11,
     )  # fmt: skip
+
+
+def test_feet_that_were_released_stick_again_once_the_body_stands_on_them():
+    """It slid on as on ice, and neither rocked again nor came to rest, whatever the shaking."""
+    feet = {"a": (-0.095, 0.071), "b": (-0.008, -0.027), "c": (0.070, 0.046), "d": (0.054, 0.059)}
+    rough, free = (
+        rk.LeggedStatue(
+            feet=feet, mass=354.0, centroid=(0.0, 0.0, 0.296), inertia=np.diag([18.0, 18.0, 12.0]),
+            friction=friction,
+        )
+        for friction in (1.2, None)
+    )  # fmt: skip
+    shaking = 0.3 * rk.GroundMotion.from_library("El Centro 1940 180").trimmed(0.0, 8.0)
+    slips, never = (rk.simulate(body, shaking) for body in (rough, free))
+    assert slips.outcome is never.outcome is rk.Outcome.CAME_TO_REST
+    released = [t for t, mode in zip(never.t, never.mode, strict=True) if "released" in str(mode)]
+    assert min(released) > 2.9
+    assert max(released) < 3.0
+    peaks = [run.extremes("tilt").maximum for run in (slips, never)]
+    assert peaks[1] == pytest.approx(peaks[0], rel=1e-9)
+    last = [run.events[-1].time for run in (slips, never)]  # long after
+    assert last[1] == pytest.approx(last[0], abs=1e-6)
+    assert last[1] > 4.0

@@ -56,6 +56,7 @@ from rockeom.integrator.provided import (
     points,
     rates,
     reverse_of,
+    slides_end,
     slips_begin,
     stops,
     subject_of,
@@ -568,6 +569,7 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
             hold_slip(contact, i, out, rows, wanted)
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
+    end_slides(near, sliding, contact, out, rows, wanted)
     put_on(rows, wanted, n, contact, out)
     points(out, p, contact)
     ends = kind in (LIFTING, SLIPPING)
@@ -578,6 +580,15 @@ def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, out, p, *shaking, g)
     return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
+
+
+def end_slides(near, sliding, contact, y, rows, wanted):
+    """Let rows (ROWS,) hold points that slide and never do, where they stick again."""
+    if slides_end(near, sliding, contact):
+        for i in range(N_POINTS):
+            if sliding[i] != 0.0 and contact[LAWS + 2 * i + 1] >= NEVER_SLIPS:
+                hold_slip(contact, i, y, rows, wanted)
+                sliding[i] = 0.0
 
 
 def start_slips(mode, sliding, y, p, shaking, rtol, contact):

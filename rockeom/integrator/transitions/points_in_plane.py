@@ -263,6 +263,12 @@ def stops(kind, point, subject, mode, slip):
     return kind == STICKING and shares_with(mode, point) == shares_with(mode, subject)
 
 
+@inlined
+def slides_end(near, sliding, contact):
+    """No point is released."""
+    return False
+
+
 def held_upright(mode, y, p):
     """Whether points are closed that keep the structure from turning."""
     if abs(y[ROTATION + N_COORDINATES]) > NO_TURN:

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from rockeom.codes import BEARS, IDLES, LIFTING, OPEN, RELEASED, STICKING
+from rockeom.codes import BEARS, IDLES, LIFTING, NEVER_SLIPS, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     LEAST_PART_OF_TURN,
@@ -582,13 +582,39 @@ def forces_in(candidate, forces, wanted, contact, change, share):
 
 @rolled
 def has_spare_point(candidate, contact):
-    """Whether a point may cease to bear, and the others keep its gap closed.
+    """Whether a point may cease to bear, and the others keep its gap closed."""
+    bearing, count = np.zeros(N_POINTS, np.int64), 0
+    for i in range(N_POINTS):
+        if digit_of(candidate, i) not in (OPEN, IDLES):
+            bearing[i], count = 1, count + 1
+    return independent_gaps(bearing, contact) < count
 
-    Rows of gaps are then dependent: nothing but rounding is left of one by Gram and Schmidt.
+
+def slides_end(near, sliding, contact):
+    """Whether points of near (N_POINTS,) that slide, and never do, stick again.
+
+    They were released. A body that stands flat on them, where they hold all gaps, would slide as on
+    ice until it is struck, and no shaking would make it rock: there the slide ends at once.
+    """
+    released, all_ = False, np.empty(N_POINTS, np.int64)
+    for i in range(N_POINTS):
+        never, all_[i] = contact[LAWS + 2 * i + 1] >= NEVER_SLIPS, 1
+        released = released or (sliding[i] != 0.0 and never)
+    if not released:
+        return False
+    held = independent_gaps(near, contact)
+    return held >= 3 and held == independent_gaps(all_, contact)
+
+
+@rolled
+def independent_gaps(near, contact):
+    """How many rows of gaps of the points of near (N_POINTS,) are independent.
+
+    Nothing but rounding is left of the others by Gram and Schmidt.
     """
     n, kept, rows = N_COORDINATES, 0, np.empty(N_POINTS * N_COORDINATES)
     for i in range(N_POINTS):
-        if digit_of(candidate, i) in (OPEN, IDLES):
+        if near[i] == 0:
             continue
         first, last, whole = row_of_point(DIRECTIONS * i), kept * n, 0.0
         for j in range(n):
@@ -604,11 +630,11 @@ def has_spare_point(candidate, contact):
         for j in range(n):
             left += rows[last + j] ** 2
         if left <= REDUNDANT * whole:
-            return True
+            continue
         for j in range(n):
             rows[last + j] /= math.sqrt(left)
         kept += 1
-    return False
+    return kept
 
 
 @inlined
@@ -717,7 +743,7 @@ def held_upright(mode, y, p):
     for i in range(N_POINTS):
         held = held or point_state(mode, i) != OPEN
     for i in range(N_COORDINATES):
-        turns = abs(y[i + N_COORDINATES]) > NO_TURN or dy[i + N_COORDINATES] != 0.0
+        turns = max(abs(y[i + N_COORDINATES]), abs(dy[i + N_COORDINATES])) > NO_TURN
         held = held and not (ANGLES[i] == 1.0 and turns)
     return held
 

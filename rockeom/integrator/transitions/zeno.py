@@ -38,6 +38,7 @@ from rockeom.integrator.tolerances import (
 from rockeom.integrator.transitions.candidates import (
     GROUND_SIZE,
     collide,
+    end_slides,
     ground_now_and_later,
     meet,
     radius_of,
@@ -532,10 +533,15 @@ def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, s
     for i in range(N_POINTS):
         if near[i] == 0 or is_smooth(i) or point_state(here, i) == STICK:
             continue
+        slip, _ = slip_of(contact, i, out, n)
+        sliding[i] = 1.0 if slip > 0.0 else -1.0
+    end_slides(near, sliding, contact, out, rows, wanted)
+    for i in range(N_POINTS):
+        if sliding[i] == 0.0:
+            continue
         slip, size = slip_of(contact, i, out, n)
         friction = contact[LAWS + 2 * i + 1]
         slows = min(friction, 1.0) * sizes[DIRECTIONS * i] if friction < NEVER_SLIPS else 0.0
-        sliding[i] = 1.0 if slip > 0.0 else -1.0
         ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
     put_on(rows, wanted, n, contact, out)
     by_itself = 0.0
