@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
-from rockeom.modelling.mesh import read_body, support_points
+from rockeom.modelling.mesh import read_body, settled, support_points
 from rockeom.modelling.standing import LeggedStatue
 
 
@@ -61,10 +61,11 @@ class Boulder(LeggedStatue):
         mass: float | None = None,
         density: float | None = None,
         bearing_height: float = 0.005,
+        settle: bool = False,
         scale: float = 1.0,
         **others: Any,
     ) -> Self:
-        """Homogeneous body of a closed surface in a file, as it lies there.
+        """Homogeneous body of a closed surface in a file, as it lies there or as it comes to rest.
 
         Parameters
         ----------
@@ -76,6 +77,9 @@ class Boulder(LeggedStatue):
             Density [kg/m3], in place of the mass.
         bearing_height : float, optional
             Height above the lowest point within which the surface bears [m].
+        settle : bool, optional
+            Whether the body is turned first, by the least turn, onto a face of its convex hull on
+            which it rests: a scan that is turned by a degree touches the ground in one point.
         scale : float, optional
             Factor of the lengths in the file to metres, such as 0.001.
         **others : object
@@ -103,6 +107,8 @@ class Boulder(LeggedStatue):
         far a boulder leans before it falls: compare several bearing heights.
         """
         body = read_body(path, mass, density, scale)
+        if settle:
+            body = settled(body)
         return cls(
             feet=support_points(body, bearing_height, "Boulder"), mass=body.mass,
             centroid=tuple(body.centroid.tolist()), inertia=body.inertia, shape=body.shape,

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial.transform import Rotation
 
 from rockeom.codes import MOST_POINTS_IN_SPACE
 from rockeom.files import check_path
@@ -149,6 +150,27 @@ def _refused(path: str | os.PathLike[str], why: str) -> InputError:
     error = InputError("path", path, "from_mesh").says(why)
     error.file = path
     return error
+
+
+def settled(body: MeshBody) -> MeshBody:
+    """The body turned onto the face of its convex hull on which it comes to rest.
+
+    Of the faces above which the centroid stands, the one that takes the least turn: a scan lies
+    nearly as the body lay, and touches one point of the ground.
+    """
+    hull = ConvexHull(body.vertices)
+    normals, depths = hull.equations[:, :3], -hull.equations[:, 3]
+    corners = hull.points[hull.simplices] - (normals * depths[:, None])[:, None]
+    sides = np.cross(corners, np.roll(corners, -1, axis=1)) @ normals[..., None]
+    below = (sides >= 0.0).all(axis=(1, 2)) | (sides <= 0.0).all(axis=(1, 2))
+    down = normals[below][np.argmin(normals[below, 2])]
+    turn, _ = Rotation.align_vectors([[0.0, 0.0, -1.0]], [down])
+    axes, vertices = turn.as_matrix(), turn.apply(body.vertices)
+    inertia = axes @ body.inertia @ axes.T
+    return body._replace(
+        centroid=np.array([*body.centroid[:2], -vertices[:, 2].min()]), vertices=vertices,
+        inertia=(inertia + inertia.T) / 2,
+    )  # fmt: skip
 
 
 def support_points(
