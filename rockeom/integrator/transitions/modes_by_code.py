@@ -29,7 +29,7 @@ from rockeom.integrator.provided import (
 )
 
 N_MODES = 0  # whose guards of elements have rounding errors of their own: no element switches
-N_CANDIDATES = 2 * (N_POINTS + 1) * 3**N_POINTS  # see points_in_space.py
+N_CANDIDATES = 2 * 3**N_POINTS  # see points_in_space.py
 EXTRA_CANDIDATES = 2 * N_POINTS  # by how many points are released, and whether those would pull
 FIRST_FITS = True  # of several candidates that move differently the first: more points closed
 BENT = True  # guards of sticking bend in a step: their slope is not that of a polynomial

@@ -71,6 +71,8 @@ __fused__ = False
 CHOICES = [np.base_repr(i, 3) for i in range(3**N_POINTS)]  # of a state for each point that is near
 OPENS_IN = np.array([choices.count("2") for choices in CHOICES])
 CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip, or are released
+# Of no point, one, two ...: choices in the order in which they are tried, fewer open ones first
+IN_TURN = np.concatenate([np.argsort(OPENS_IN[: 3**m], kind="stable") for m in range(N_POINTS + 1)])
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
@@ -95,18 +97,19 @@ def rubs(point, contact):
 def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
 
-    The number says how many of the points that are near are open, none of them first, since the
-    mode that keeps more points closed follows; whether points that would bear nothing are idle; and
-    which points bear, slip, or are open. In place of a slip one that never does is released: extra
-    is twice the number of these, less one where only points are that would pull if they stuck. One
-    that slips already is released already.
+    The number says which of the points that are near bear, slip, or are open, none of them first,
+    since the mode that keeps more points closed follows; and whether points that would bear nothing
+    are idle. In place of a slip one that never does is released: extra is twice the number of these,
+    less one where only points are that would pull if they stuck. One that slips already is released
+    already.
     """
-    sets = 1
+    place, sets = int(number * 0.5), 1
     for i in range(N_POINTS):
         sets *= 3 if near[i] == 1 else 1
-    opens = int(number * 0.5 / sets)
-    left = int(number * 0.5) - sets * opens
-    if opens > N_POINTS or OPENS_IN[left] != opens or extra > 2 * CHANGES_IN[left]:
+    if place >= sets:
+        return -1
+    left = IN_TURN[int(sets * 0.5) + place]
+    if extra > 2 * CHANGES_IN[left]:
         return -1
     released = int(0.5 * (extra + 1.0))
     if CHANGES_IN[left] != released and not any_rubs(N_POINTS, SMOOTH, contact[LAWS:]):
