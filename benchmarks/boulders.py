@@ -4,10 +4,10 @@
     python -m benchmarks.boulders scores FOLDER --write docs/validation.md   # ten minutes
 
 FOLDER has the tests, see `rockeom.analysis.validation.BoulderTests`. `fit` simulates all tests with
-each draw from the priors below, and stores the outcomes in boulders.json beside this file, with the
-date; what is stored has nothing of the measurements. `scores` simulates the first draws again,
-weighs the stored ones by the tests of four folds to predict the fifth, and writes the tables and the
-picture of docs/validation.md.
+each draw from the priors below, and stores the outcomes in boulders.json beside this file, with
+the date; what is stored has nothing of the measurements. `scores` simulates the first draws again,
+weighs the stored ones by the tests of four folds to predict the fifth, and writes the tables and
+the picture of docs/validation.md.
 
 What is not known of the tests, and its prior, was written down before the first score:
 

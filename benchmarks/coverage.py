@@ -177,6 +177,16 @@ def distribution_is_seen(rng: np.random.Generator, distance: float, power: float
     return bool(((model < lower) | (model > upper)).any())
 
 
+def paired_holds(rng: np.random.Generator, n: int) -> bool:
+    """Whether the interval of n records, of 1 to 24 tests each, has the true difference: none."""
+    sizes = rng.integers(1, 25, n)
+    groups, of_records = np.repeat(np.arange(n), sizes), rng.beta(4.0, 0.8, (2, n))
+    of_records[1] = of_records.mean(axis=0)  # both models are wrong on the same records
+    right = rng.random((2, len(groups))) < of_records[:, groups]
+    found = validation.paired_difference(*right, groups)
+    return found.lower <= 0.0 <= found.upper
+
+
 # --- all of them
 
 
@@ -198,6 +208,8 @@ def studies() -> Iterator[Study]:
             yield Study(f"probability, {what} of {n}", "at least", LEVEL, once)
         once = partial(probability_holds, n=n, what="p_value")
         yield Study(f"calibration of {n}, size", "at most", 1.0 - LEVEL, once, 2)
+    for n in (10, 20, 49):
+        yield Study(f"paired difference, {n} records", "about", LEVEL, partial(paired_holds, n=n))
     yield from _tests()
     for power in (0.8, 0.95):
         n = validation.sample_size_for_mean(0.4, 1.0, LEVEL, power)

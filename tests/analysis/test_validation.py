@@ -1,5 +1,6 @@
 """Statistical validation: known truth, closed forms, enumeration, SciPy where all stood."""
 
+import math
 from functools import partial
 from itertools import combinations, product
 
@@ -95,6 +96,7 @@ def test_a_sweep_is_an_ensemble_unless_a_case_gave_no_answer():
         ("probability, interval of 60", 80),
         ("probability, range of 10", 200),
         ("calibration of 10, size", 100),
+        ("paired difference, 20 records", 800),
         ("cramer-von mises, 20 and 60, 30%, size", 40),
         ("anderson-darling, 20 and 60, 30%, size", 40),
         ("kolmogorov-smirnov, 20 and 60, 30%, size", 40),
@@ -494,3 +496,29 @@ def test_a_number_for_a_distribution_grows_with_the_square():
     assert validation.sample_size_for_distribution(0.2) == 128
     assert validation.sample_size_for_distribution(0.1) == pytest.approx(4 * 128, abs=4)
     assert refused(validation.sample_size_for_distribution, 0.1, power=1.0) == ("power", 1.0)
+
+
+def test_models_that_disagree_are_compared_by_the_binomial_distribution():
+    """Of ten tests on which one alone is right, the first is so of eight."""
+    right = np.array([True] * 8 + [False] * 2 + [True, False] * 5)
+    other = np.array([False] * 8 + [True] * 2 + [True, False] * 5)
+    found = validation.disagreement(right, other)
+    assert found[:2] == (8, 2)
+    assert found.p_value == pytest.approx(2 * sum(math.comb(10, k) for k in (8, 9, 10)) / 2**10)
+    assert validation.disagreement(right, right) == (0, 0, 1.0)
+
+
+def test_a_paired_difference_of_groups_of_one_test_is_the_paired_t_test():
+    rng = np.random.default_rng(3)
+    one, two = rng.random((2, 30))
+    found, interval = (
+        validation.paired_difference(one, two, np.arange(30), level=0.9),
+        stats.ttest_rel(one, two).confidence_interval(0.9),
+    )
+    np.testing.assert_allclose(found[1:], interval, rtol=1e-12)
+    with pytest.raises(ValueError, match="groups"):
+        validation.paired_difference(one, two, np.zeros(30))
+    with pytest.raises(ValueError, match="groups"):
+        validation.paired_difference(one, two, np.zeros(3))
+    with pytest.raises(ValueError, match="right"):
+        validation.disagreement(one, two)
