@@ -24,15 +24,24 @@ the same draw is an `OffsetBlock` across its weakest edge, shaken along the weak
 
 from __future__ import annotations
 
+import argparse
+import datetime
+import json
 import sys
-from collections.abc import Sequence
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import trimesh
+from matplotlib import pyplot as plt
 
 import rockeom as rk
+from benchmarks import report
+from rockeom import plots
+from rockeom.analysis import validation
 from rockeom.analysis.validation import BoulderTests
 from rockeom.modelling.mesh import MeshBody, read_body, settled, support_points
 
@@ -43,10 +52,22 @@ BEARING = (0.5e-3, 5e-3)  # m
 SCAN_ERROR = (1e-3, 3e-3)  # m
 FRICTION = (0.4, 0.8)
 SEED = 582
-DRAWS, MORE_DRAWS = 30, 120
+DRAWS, MORE_DRAWS, FEW = 30, 120, 10
 WRONG = 0.1  # part of the tests that one draw is expected to get wrong, as the weights have it
+ITERATIONS = 2000
 METHOD = rk.SolverOptions(method="RK45")  # steps end at the samples anyway
 ANGLES, SIZES = (3, 4, 5, 6, 8, 10, 12), (0.1, 0.2, 0.3, 0.4, 0.6)  # degrees, m, of the plane
+
+PAIRS = (
+    ("space, nothing fitted", "plane, nothing fitted"),
+    ("space, nothing fitted", "discrete elements of others, stiffness chosen"),
+    ("space, draws weighed", "plane, draws weighed"),
+    ("space, draws weighed", "plane, two numbers chosen"),
+    ("space, draws weighed", "discrete elements of others, stiffness chosen"),
+)
+
+Outcomes = dict[str, dict[str, np.ndarray]]
+"""By "space" or "plane" and specimen: whether draws overturn in tests (draws, n)."""
 
 
 # -- what is drawn -------------------------------------------------------------------------------
@@ -107,18 +128,230 @@ def overturned(case: rk.Case, motions: rk.MotionSet) -> np.ndarray:
     return outcomes == "overturned"
 
 
-def simulated(tests: BoulderTests, treatment: str, draws: Sequence[int]) -> dict:
-    """Outcomes (draws, n) of each specimen, in space and in the plane."""
+def simulated(tests: BoulderTests, treatment: str, draws: Sequence[int]) -> Outcomes:
+    """Outcomes of draws, in space and in the plane."""
     motions = rk.MotionSet(tests.motion(i, treatment) for i in range(len(tests.tests)))
-    found: dict = {"space": {}, "plane": {}}
+    found: Outcomes = {"space": {}, "plane": {}}
     for specimen in SPECIMENS:
         surface = read_body(tests.surfaces[specimen], MASS, None, 1.0)
-        space, plane = [], []
+        rows: dict[str, list[np.ndarray]] = {"space": [], "plane": []}
         for number in draws:
-            drawn = draw(surface, specimen, number)
-            print(f"{specimen}, draw {number}: {len(drawn.boulder.feet)} points", file=sys.stderr)
+            drawn, started = draw(surface, specimen, number), time.perf_counter()
             case = rk.Case(drawn.boulder, motions[0], azimuth=drawn.azimuth)
-            space.append(overturned(case, motions))
-            plane.append(overturned(rk.Case(drawn.plane, motions[0]), motions))
-        found["space"][specimen], found["plane"][specimen] = np.array(space), np.array(plane)
+            rows["space"].append(overturned(case, motions))
+            rows["plane"].append(overturned(rk.Case(drawn.plane, motions[0]), motions))
+            said = f"{len(drawn.boulder.feet)} points, {time.perf_counter() - started:.0f} s"
+            print(f"{treatment}, {specimen}, draw {number}: {said}", file=sys.stderr)
+        for way in found:
+            found[way][specimen] = np.array(rows[way])
     return found
+
+
+def with_friction(tests: BoulderTests, draws: Sequence[int], every: int) -> tuple[int, int]:
+    """(outcomes that change, of how many) where feet may slip, of each so many tests."""
+    motions = rk.MotionSet(tests.motion(i) for i in range(0, len(tests.tests), every))
+    changed = number = 0
+    for specimen in SPECIMENS:
+        surface = read_body(tests.surfaces[specimen], MASS, None, 1.0)
+        for drawn in (draw(surface, specimen, i) for i in draws):
+            never = rk.Case(drawn.boulder, motions[0], azimuth=drawn.azimuth)
+            slips = replace(drawn.boulder, friction=drawn.friction)
+            rubs = rk.Case(slips, motions[0], azimuth=drawn.azimuth)
+            apart = overturned(never, motions) != overturned(rubs, motions)
+            changed, number = changed + int(apart.sum()), number + len(apart)
+    return changed, number
+
+
+def packed(outcomes: Outcomes) -> dict:
+    """Outcomes as text: a hexadecimal number a draw."""
+    return {
+        way: {name: [np.packbits(row).tobytes().hex() for row in rows] for name, rows in of.items()}
+        for way, of in outcomes.items()
+    }
+
+
+def unpacked(stored: Mapping, n: int) -> Outcomes:
+    """The outcomes of n tests that `packed` has stored."""
+
+    def bits(text: str) -> np.ndarray:
+        return np.unpackbits(np.frombuffer(bytes.fromhex(text), np.uint8))[:n].astype(bool)
+
+    return {
+        way: {name: np.array([bits(text) for text in texts]) for name, texts in of.items()}
+        for way, of in stored.items()
+    }
+
+
+# -- predictions of each fold by the others ------------------------------------------------------
+
+
+def chosen(choices: np.ndarray, observed: np.ndarray, folds: np.ndarray) -> np.ndarray:
+    """Outcomes (n,) by the choice (k, n) that is right most often on the other folds; the first."""
+    right = choices == observed
+    best = {f: int(np.argmax(right[:, folds != f].mean(axis=1))) for f in np.unique(folds)}
+    return choices[[best[f] for f in folds], np.arange(len(folds))].astype(float)
+
+
+def weighed(outcomes: np.ndarray, observed: np.ndarray, folds: np.ndarray) -> np.ndarray:
+    """Probabilities (n,) by draws (k, n) with the weights that suit the other folds best.
+
+    A draw is wrong about a test with the probability WRONG. Weights of the mixture make the
+    outcomes of the other folds most likely (Yao and others 2018, stacking), by the algorithm of
+    expectation and maximisation, from equal ones.
+    """
+    states = np.where(outcomes, 1.0 - WRONG, WRONG)
+    likely = np.where(outcomes == observed, 1.0 - WRONG, WRONG)
+    found = np.empty(outcomes.shape[1])
+    for fold in np.unique(folds):
+        of_others, weights = likely[:, folds != fold], np.full(len(likely), 1.0 / len(likely))
+        for _ in range(ITERATIONS):
+            parts = weights[:, None] * of_others
+            weights = (parts / parts.sum(axis=0)).mean(axis=1)
+        found[folds == fold] = weights @ states[:, folds == fold]
+    return found
+
+
+def by_velocity(motions: Sequence[rk.GroundMotion]) -> np.ndarray:
+    """Outcomes (k, n) by a threshold of the peak velocity, halfway between those of the tests."""
+    peaks = np.array([motion.peak_velocity for motion in motions])
+    ordered = np.unique(peaks)
+    return peaks > ((ordered[1:] + ordered[:-1]) / 2)[:, None]
+
+
+def by_two_numbers(motions: rk.MotionSet) -> np.ndarray:
+    """Outcomes (k, n) of rigid blocks in the plane of some slendernesses and sizes."""
+    rows = []
+    for angle in np.radians(ANGLES):
+        for size in SIZES:
+            block = rk.RigidBlock(
+                half_width=size * np.sin(angle), half_height=size * np.cos(angle), mass=MASS
+            )
+            rows.append(overturned(rk.Case(block, motions[0]), motions))
+    return np.array(rows)
+
+
+def predictions(tests: BoulderTests, first: Outcomes, more: Outcomes) -> dict[str, dict]:
+    """Probabilities of overturning (n,) of each specimen, by each way of predicting."""
+    motions = rk.MotionSet(tests.motion(i) for i in range(len(tests.tests)))
+    peaks, blocks = by_velocity(list(motions)), by_two_numbers(motions)
+    found: dict[str, dict] = {}
+    for name in SPECIMENS:
+        fell, folds = tests.overturned[name], tests.folds
+        others = np.array(list(tests.of_others[name].values()))
+        found[name] = {
+            "one threshold of the peak velocity, chosen": chosen(peaks, fell, folds),
+            "discrete elements of others, stiffness chosen": chosen(others, fell, folds),
+            "plane, two numbers chosen": chosen(blocks, fell, folds),
+            "plane, nothing fitted": first["plane"][name].mean(axis=0),
+            "space, nothing fitted": first["space"][name].mean(axis=0),
+            "plane, draws weighed": weighed(more["plane"][name], fell, folds),
+            "space, draws weighed": weighed(more["space"][name], fell, folds),
+        }
+    return found
+
+
+# -- the page ------------------------------------------------------------------------------------
+
+
+def right(probability: np.ndarray, fell: np.ndarray) -> np.ndarray:
+    return (probability > 0.5) == fell
+
+
+def table_of_scores(tests: BoulderTests, found: Mapping) -> str:
+    head = ("prediction", "", *(f"{what} {i + 1}" for i in (0, 1) for what in ("right", "Brier")))
+    rows = []
+    for way in found[SPECIMENS[0]]:
+        cells = []
+        for name in SPECIMENS:
+            p, fell = found[name][way], tests.overturned[name]
+            cells += [f"{right(p, fell).mean():.3f}"]
+            cells += [f"{validation.brier_score(fell, p).mean():.3f}"]
+        rows.append((way, "", *cells))
+    return report.table(head, rows)
+
+
+def table_of_pairs(tests: BoulderTests, found: Mapping) -> str:
+    """The first of each pair less the second, both specimens together."""
+    fell = np.concatenate([tests.overturned[name] for name in SPECIMENS])
+    records = np.concatenate([tests.records] * len(SPECIMENS))
+    head = ("first", "second", "right", "p, McNemar", "Brier")
+    rows = []
+    for ways in PAIRS:
+        one, two = (np.concatenate([found[name][way] for name in SPECIMENS]) for way in ways)
+        correct = [right(p, fell) for p in (one, two)]
+        scores = [validation.brier_score(fell, p) for p in (one, two)]
+        cells = [
+            f"{d.value:+.3f} ({d.lower:+.3f} to {d.upper:+.3f})"
+            for d in (
+                validation.paired_difference(*correct, records),
+                validation.paired_difference(*scores, records),
+            )
+        ]
+        p_value = validation.disagreement(*correct).p_value
+        rows.append((*ways, cells[0], f"{p_value:.2g}", cells[1]))
+    return report.table(head, rows)
+
+
+def picture(tests: BoulderTests, found: Mapping, path: Path) -> None:
+    """Reliability diagrams of both specimens, with nothing fitted and with draws weighed."""
+    plots.use_style()
+    figure, axes = plt.subplots(2, 2, figsize=(9.2, 8.6), layout="constrained")
+    for row, name in zip(axes, SPECIMENS, strict=True):
+        for ax, way in zip(row, ("space, nothing fitted", "space, draws weighed"), strict=True):
+            calibration = validation.calibration_of(tests.overturned[name], found[name][way])
+            plots.reliability_diagram(calibration, ax=ax)
+            ax.set_title(f"{name.replace('_', ' ')}: {way}", fontsize=9)
+    figure.savefig(path, dpi=110)
+
+
+def main(argv: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.boulders", description=__doc__)
+    parser.add_argument("work", choices=("fit", "scores"))
+    parser.add_argument("folder", type=Path, help="folder of the tests")
+    parser.add_argument("--write", type=Path, help="a page that has the tables between its marks")
+    parser.add_argument("--draws", type=int, default=MORE_DRAWS, help="of `fit`")
+    given = parser.parse_args(argv)
+    tests = BoulderTests.from_folder(given.folder)
+    if given.work == "fit":
+        outcomes = simulated(tests, "joined", range(given.draws))
+        others = {
+            treatment: packed(simulated(tests, treatment, range(FEW)))
+            for treatment in ("acceleration", "displacement")
+        }
+        text = {
+            "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
+            "rockeom": rk.__version__, "tests": len(tests.tests), "draws": given.draws,
+            "joined": packed(outcomes), **others,
+            "friction": with_friction(tests, range(2), 10),
+        }  # fmt: skip
+        STORED.write_text(json.dumps(text, indent=1) + "\n", encoding="utf-8")
+        return
+    stored = json.loads(STORED.read_text(encoding="utf-8"))
+    more = unpacked(stored["joined"], len(tests.tests))
+    first = simulated(tests, "joined", range(DRAWS))
+    found = predictions(tests, first, more)
+    lines = [table_of_scores(tests, found), table_of_pairs(tests, found), treated(tests, stored)]
+    print(*lines, sep="\n\n")
+    if given.write:
+        picture(tests, found, given.write.parent / "images" / "boulder_reliability.png")
+        page = given.write.read_text(encoding="utf-8")
+        given.write.write_text(report.put_into(page, "boulder", "\n\n".join(lines)), "utf-8")
+
+
+def treated(tests: BoulderTests, stored: Mapping) -> str:
+    """Shares by the treatment of the motion below 2 Hz, with the same draws, and by friction."""
+    head = ("motion below 2 Hz", "", *(f"right {i + 1}" for i in (0, 1)), "outcomes that differ")
+    joined = unpacked(stored["joined"], len(tests.tests))["space"]
+    rows = []
+    for treatment in ("joined", "acceleration", "displacement"):
+        of = unpacked(stored[treatment], len(tests.tests))["space"]
+        shares = [right(of[n][:FEW].mean(axis=0), tests.overturned[n]).mean() for n in SPECIMENS]
+        apart = np.mean([(of[name][:FEW] != joined[name][:FEW]).mean() for name in SPECIMENS])
+        rows.append((treatment, "", *(f"{share:.3f}" for share in shares), f"{apart:.3f}"))
+    changed, number = stored["friction"]
+    said = f"Feet with the friction of their draw change {changed} of {number} outcomes."
+    return f"{report.table(head, rows)}\n\n{said}"
+
+
+if __name__ == "__main__":
+    main()

@@ -259,3 +259,13 @@ is told in [verification.md](verification.md). Times are medians of processor ti
 medians of the ratios turn by turn: all ways of doing a workload take turns in one process, so that
 what slows the machine down for a while slows all of them. The goals are numbers that were set
 beforehand."""
+
+
+def put_into(page: str, name: str, text: str) -> str:
+    """A page with a text between its marks of a name; raises ValueError where it has none."""
+    start, end = f"<!-- tables of {name} -->", f"<!-- end of {name} -->"
+    before, found, rest = page.partition(start)
+    _, closed, after = rest.partition(end)
+    if not found or not closed:
+        raise ValueError(f"the page has no {start} and {end} between which the tables stand")
+    return f"{before}{start}\n\n{text}\n\n{end}{after}"

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from benchmarks import boulders
 from rockeom.analysis.validation import BoulderTests
 from rockeom.structures.positions import box
 from tests.space.test_meshes import triangles, written
@@ -86,3 +87,35 @@ def test_a_box_that_was_scanned_askew_settles_onto_its_base(tmp_path):
     assert boulder.centroid[2] == pytest.approx(0.25, abs=1e-12)
     moments = 500.0 / 12 * np.array([0.8**2 + 0.5**2, 0.6**2 + 0.5**2, 0.6**2 + 0.8**2])
     np.testing.assert_allclose(boulder.inertia, np.diag(moments), atol=1e-9)
+
+
+def test_the_weakest_block_in_the_plane_of_a_box_is_across_its_narrow_base():
+    feet = {"a": (0.5, 0.4), "b": (-0.1, 0.4), "c": (-0.1, -0.4), "d": (0.5, -0.4)}
+    inertia = 500.0 / 12 * np.diag([0.8**2 + 0.5**2, 0.6**2 + 0.5**2, 0.6**2 + 0.8**2])
+    boulder = rk.Boulder(feet=feet, mass=500.0, centroid=(0.1, 0.0, 0.25), inertia=inertia)
+    block = boulders.weakest(boulder)
+    expected = (0.3, 0.25, 0.1, 500.0 / 12 * (0.6**2 + 0.5**2))
+    found = (block.half_width, block.half_height, abs(block.offset), block.inertia)
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+    right, left = block.half_width - block.offset, block.half_width + block.offset
+    assert sorted((right, left)) == pytest.approx([0.2, 0.4])
+
+
+def test_folds_are_predicted_by_the_others():
+    """One draw is right on folds 1 and 2, the other on fold 0, which decides nothing of it."""
+    folds, fell = np.repeat([0, 1, 2], 4), np.tile([True, True, False, False], 3)
+    draws = np.array([fell ^ (folds == 0), fell ^ (folds != 0)])
+    np.testing.assert_array_equal(
+        boulders.chosen(draws, fell, folds)[folds == 0], ~fell[folds == 0]
+    )
+    found = boulders.weighed(draws, fell, folds)
+    alone = np.where(fell, boulders.WRONG, 1.0 - boulders.WRONG)  # all weight on the first draw
+    np.testing.assert_allclose(found[folds == 0], alone[folds == 0], atol=1e-9)
+    of_others = 0.5 * np.ones(8)  # of folds 1 and 2: each draw is right on one of two other folds
+    np.testing.assert_allclose(found[folds != 0], of_others, atol=1e-9)
+
+
+def test_outcomes_are_stored_to_the_bit():
+    outcomes = {"space": {"specimen_1": np.random.default_rng(1).random((3, 45)) < 0.4}}
+    again = boulders.unpacked(boulders.packed(outcomes), 45)
+    np.testing.assert_array_equal(again["space"]["specimen_1"], outcomes["space"]["specimen_1"])

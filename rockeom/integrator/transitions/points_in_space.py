@@ -99,9 +99,9 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
 
     The number says which of the points that are near bear, slip, or are open, none of them first,
     since the mode that keeps more points closed follows; and whether points that would bear nothing
-    are idle. In place of a slip one that never does is released: extra is twice the number of these,
-    less one where only points are that would pull if they stuck. One that slips already is released
-    already.
+    are idle. In place of a slip one that never does is released: extra is twice the number of
+    these, less one where only points are that would pull if they stuck. One that slips already is
+    released already.
     """
     place, sets = int(number * 0.5), 1
     for i in range(N_POINTS):
