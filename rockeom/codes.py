@@ -58,7 +58,7 @@ never does, and bears without friction; or it slips, with a digit more for each 
 of the axis that is nearest to the direction in which it does.
 """
 MOST_POINTS_IN_SPACE = 8
-IMPOSSIBLE, AMBIGUOUS = -1, -2
+IMPOSSIBLE, AMBIGUOUS, NO_MORE = -1, -2, -3
 
 # Verdicts on a step in which no guard is known to fall
 STAYS_OPEN, UNCLEAR = -1, -2

@@ -17,6 +17,7 @@ from rockeom.codes import (
     LANDING,
     LIFTING,
     NEVER_SLIPS,
+    NO_MORE,
     OPEN,
     SLIPPING,
     STICK,
@@ -176,6 +177,8 @@ def fitting_states(
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for number in range(N_CANDIDATES):
         candidate = candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse)
+        if candidate == NO_MORE:
+            break
         if candidate < 0 or candidate == left_out:
             continue
         margin = margin_of(

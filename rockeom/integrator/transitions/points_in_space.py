@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from rockeom.codes import BEARS, IDLES, LIFTING, NEVER_SLIPS, OPEN, RELEASED, STICKING
+from rockeom.codes import BEARS, IDLES, LIFTING, NEVER_SLIPS, NO_MORE, OPEN, RELEASED, STICKING
 from rockeom.compiler.decorators import inlined, rolled
 from rockeom.generated.numeric_modes import (
     LEAST_PART_OF_TURN,
@@ -73,6 +73,9 @@ OPENS_IN = np.array([choices.count("2") for choices in CHOICES])
 CHANGES_IN = np.array([choices.count("1") for choices in CHOICES])  # that slip, or are released
 # Of no point, one, two ...: choices in the order in which they are tried, fewer open ones first
 IN_TURN = np.concatenate([np.argsort(OPENS_IN[: 3**m], kind="stable") for m in range(N_POINTS + 1)])
+UNCHANGED_IN_TURN = IN_TURN[
+    CHANGES_IN[IN_TURN] == 0
+]  # of these, what neither slips nor is released
 SIGN_OF = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)  # by the state of a point
 MOST_ITERATIONS = 40  # for the directions of slips that are not known
 FIRST_TURNS = 3  # of them, before those after Newton
@@ -95,7 +98,7 @@ def rubs(point, contact):
 
 @rolled
 def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
-    """A mode that may follow, with its impulses (ROWS,), or -1; number : below N_CANDIDATES.
+    """A mode that may follow, with its impulses (ROWS,), or -1, or NO_MORE from a number on.
 
     The number says which of the points that are near bear, slip, or are open, none of them first,
     since the mode that keeps more points closed follows; and whether points that would bear nothing
@@ -103,16 +106,18 @@ def candidate_of(number, extra, mode, near, sliding, wanted, contact, impulse):
     these, less one where only points are that would pull if they stuck. One that slips already is
     released already.
     """
-    place, sets = int(number * 0.5), 1
+    place, none_slips = int(number * 0.5), not any_rubs(N_POINTS, SMOOTH, contact[LAWS:])
+    of_point, sets = 2 if none_slips and extra == 0 else 3, 1
     for i in range(N_POINTS):
-        sets *= 3 if near[i] == 1 else 1
+        sets *= of_point if near[i] == 1 else 1
     if place >= sets:
-        return -1
-    left = IN_TURN[int(sets * 0.5) + place]
-    if extra > 2 * CHANGES_IN[left]:
-        return -1
+        return NO_MORE
+    if of_point == 2:
+        left = UNCHANGED_IN_TURN[sets - 1 + place]
+    else:
+        left = IN_TURN[int(sets * 0.5) + place]
     released = int(0.5 * (extra + 1.0))
-    if CHANGES_IN[left] != released and not any_rubs(N_POINTS, SMOOTH, contact[LAWS:]):
+    if extra > 2 * CHANGES_IN[left] or (CHANGES_IN[left] != released and none_slips):
         return -1
     share, motion, idle = np.empty(ROWS), np.empty(N_COORDINATES), number - 2 * int(number * 0.5)
     candidate, freed, more, unknown = chosen_states(left, near, sliding, contact)
