@@ -9,7 +9,7 @@ with the date; what is stored has nothing of the measurements. `scores` simulate
 again to compare them, weighs all by the tests of four folds to predict the fifth, and writes the
 tables and the picture of docs/validation.md.
 
-What is not known of the tests, and its prior, was written down before the first score:
+The unknowns of the tests, and their priors, were written down before the first score:
 
     direction against the axis of the table    uniform, of each specimen
     height within which the surface bears      uniform, 0.5 to 5 mm

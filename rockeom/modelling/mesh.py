@@ -155,7 +155,7 @@ def _refused(path: str | os.PathLike[str], why: str) -> InputError:
 def settled(body: MeshBody) -> MeshBody:
     """The body turned onto the face of its convex hull on which it comes to rest.
 
-    Of the faces above which the centroid stands, the one that takes the least turn: a scan lies
+    It is the one that takes the least turn, of those above which the centroid stands: a scan lies
     nearly as the body lay, and touches one point of the ground.
     """
     hull = ConvexHull(body.vertices)

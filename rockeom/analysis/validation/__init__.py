@@ -18,10 +18,12 @@ from typing import TYPE_CHECKING
 from rockeom.analysis.groups import attributes
 
 if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getattr__
+    from rockeom.analysis.validation.boulder_tests import *
     from rockeom.analysis.validation.calibration import *
     from rockeom.analysis.validation.campaigns import *
     from rockeom.analysis.validation.comparison import *
     from rockeom.analysis.validation.ensembles import *
+    from rockeom.analysis.validation.paired import *
     from rockeom.analysis.validation.sample_size import *
     from rockeom.analysis.validation.scores import *
 

@@ -50,6 +50,9 @@ class BoulderTests:
         Outcomes (n,) that a discrete-element model of others gave, by specimen and stiffness.
     surfaces : dict of str to Path
         Closed surface of each specimen, metres, z upwards, as scanned.
+    measured : tuple of tuple of (ndarray, ndarray)
+        Acceleration of the table [g] and its displacement [mm] in each test, of opposite signs, 200
+        a second: `motion` joins them.
 
     References
     ----------
@@ -62,7 +65,7 @@ class BoulderTests:
     overturned: Mapping[str, np.ndarray]
     of_others: Mapping[str, Mapping[str, np.ndarray]]
     surfaces: Mapping[str, Path]
-    _measured: tuple[tuple[np.ndarray, np.ndarray], ...] = field(repr=False)
+    measured: tuple[tuple[np.ndarray, np.ndarray], ...] = field(repr=False)
 
     @classmethod
     def from_folder(cls, folder: str | os.PathLike[str]) -> Self:
@@ -124,7 +127,7 @@ class BoulderTests:
                 for i, name in enumerate(SPECIMENS)
             },
             surfaces=surfaces,
-            _measured=measured,
+            measured=measured,
         )
 
     def motion(self, test: int, treatment: str = "joined") -> GroundMotion:
@@ -166,7 +169,7 @@ class BoulderTests:
         def accelerations(x: np.ndarray) -> np.ndarray:
             return np.gradient(np.gradient(x, 1.0 / RATE), 1.0 / RATE)
 
-        acceleration, displacement = self._measured[test]
+        acceleration, displacement = self.measured[test]
         a = np.pad(np.asarray(acceleration, float) * GRAVITY, AROUND)
         u = np.pad(np.asarray(displacement, float) * -1e-3, AROUND, mode="edge")
         u -= u[0]
