@@ -71,11 +71,10 @@ def planar_block(structure: Structure) -> tuple[Structure, float]:
     weakest edge, to its left the farthest foot.
     """
     edge, values = weakest_edge(structure), structure.parameters()
-    along_x, along_y = -math.sin(edge.azimuth), math.cos(edge.azimuth)
-    xx, yy, xy = (values.get(f"inertia_{axes}") for axes in ("xx", "yy", "xy"))
-    assert xx is not None
-    yy = xx if yy is None else yy  # of a round column
-    inertia = xx * along_x**2 + yy * along_y**2 + 2.0 * (xy or 0.0) * along_x * along_y
+    x, y = -math.sin(edge.azimuth), math.cos(edge.azimuth)  # along the edge
+    xx, xy = values["inertia_xx"], values.get("inertia_xy", 0.0)
+    yy = values.get("inertia_yy", xx)  # a round column has one
+    inertia = xx * x**2 + yy * y**2 + 2.0 * xy * x * y
     sizes = {
         "half_width": (edge.arm + edge.behind) / 2,
         "half_height": edge.height,
@@ -91,19 +90,21 @@ def planar_block(structure: Structure) -> tuple[Structure, float]:
 def in_plane(
     structure: Structure, conditions: Conditions, trials: Trials, level: float
 ) -> InPlane | None:
-    """The planar answer; None for a structure in the plane, and for a slab on columns.
+    """The planar answer; None for a structure in the plane, for a slab on columns, and for a
+    declared body whose mass and inertia have other names.
 
     trials : of the body in space; level : of the interval.
     """
-    turns = len(conditions.azimuths)
-    if not turns or {*bodies(structure.module)} - {"contact"} not in ({"body"}, {"column"}):
+    turns, names = len(conditions.azimuths), structure.parameters().keys()
+    single = turns and len({*bodies(structure.module)} - {"contact"}) == 1
+    if not single or not {"mass", "inertia_xx", "gravity"} <= names:
         return None
     block, azimuth = planar_block(structure)
     flat = conditions._replace(azimuths=(), friction=own_friction(structure))
     tried = simulated(block, flat)
 
     def case(motion: Recording, way: float, pga: float) -> Case:
-        return case_of(tried, _stronger(motion.scaled_to(pga), way), flat)
+        return case_of(tried, stronger(motion.scaled_to(pga), way), flat)
 
     ways = (1.0,) if isinstance(block, RigidBlock) else (1.0, -1.0)
     over: dict[str, Any] = {"motion": conditions.motions[::turns], "way": ways}
@@ -113,7 +114,7 @@ def in_plane(
     return InPlane(block, azimuth, fell, answered, *_compared(trials, fell, answered, turns, level))
 
 
-def _stronger(motion: Recording, way: float) -> Recording:
+def stronger(motion: Recording, way: float) -> Recording:
     """The horizontal component with the larger peak, with the vertical one; way : its sign."""
     one = max(motion.horizontal, key=lambda component: component.peak)
     return Recording(one.name, (way * one,), motion.vertical)

@@ -54,7 +54,8 @@ def test_block_of_a_prism_is_the_block_of_its_narrow_side():
 
 @pytest.mark.parametrize("body", [FIGURINE, of_masses()])
 def test_falls_in_the_plane_are_those_of_single_simulations(body):
-    answer = rk.assess(body, RECORDINGS, pga=PGA, azimuths=1).plane
+    whole = rk.assess(body, RECORDINGS, pga=PGA, azimuths=1)
+    answer = whole.plane
     ways = (1.0,) if body is FIGURINE else (1.0, -1.0)
     for i, recording in enumerate(RECORDINGS):
         peaks = [one.peak for one in recording.horizontal]
@@ -69,6 +70,9 @@ def test_falls_in_the_plane_are_those_of_single_simulations(body):
                 assert answer.fell[i, j, k] == (run.outcome == "overturned")
     assert answer.fell.shape == (len(RECORDINGS), len(ways), len(PGA))
     assert answer.answered.all()
+    assert "<th>planar block" in whole.html()
+    for fell in answer.fell.sum(axis=(0, 1)):
+        assert f"<td>{fell} of {4 * len(ways)}</td>" in whole.html()
     assert answer.share == pytest.approx(answer.fell.mean())
 
 
