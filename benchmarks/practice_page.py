@@ -17,8 +17,13 @@ from rockeom.drawing import style
 
 LEVEL = 0.95
 _WORDS = "safe", "not safe", "not known"
+_LABELS = {
+    "safe": "the plane is safe",
+    "not safe": "the plane is not safe",
+    "not known": "the plane may be safe or not",
+}
 _HEAD = (
-    "object", "PGA", "plane", "space", "space less plane", "plane, turned",
+    "object", "PGA [g]", "plane [%]", "space [%]", "space less plane [%]", "plane, turned [%]",
     "falls most", "plane is",
 )  # fmt: skip
 
@@ -50,11 +55,11 @@ def cells(row: Mapping[str, Any]) -> tuple[str, ...]:
     where = f"{row['by azimuth'][worst]} at {row['azimuths'][worst]:.3g}°"
     return (
         row["name"],
-        f"{row['pga']:.2g} g",
-        f"{_percent(row['plane'])} %",
-        f"{_percent(row['space'])} % ({_percent(low)} to {_percent(high)})",
-        f"{_percent(more, '+')} % ({_percent(least, '+')} to {_percent(most, '+')})",
-        f"{_percent(row['turned'])} %",
+        f"{row['pga']:.2g}",
+        _percent(row["plane"]),
+        f"{_percent(row['space'])} ({_percent(low)} to {_percent(high)})",
+        f"{_percent(more, '+')} ({_percent(least, '+')} to {_percent(most, '+')})",
+        _percent(row["turned"]),
         where if row["turns"] > 1 else f"{row['by azimuth'][0]} at any",
         verdict(row),
     )
@@ -150,7 +155,7 @@ def draw(rows: Sequence[Mapping[str, Any]], path: Path) -> None:
         ax.plot(row["space"], y, "o", color=color, ms=5)
     signs = [Line2D([], [], ls="", marker="s", mfc="white", mec=style.INK, label="in the plane")]
     signs += [
-        Line2D([], [], marker="o", color=color, label=f"in space, where the plane is {word}")
+        Line2D([], [], marker="o", color=color, label=f"in space; {_LABELS[word]}")
         for word, color in colors.items()
     ]
     figure.legend(handles=signs, loc="outside upper center", ncols=2, fontsize=8)
