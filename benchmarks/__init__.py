@@ -15,6 +15,8 @@ python -m benchmarks.crosscheck       joints and springs by OpenSees, Exudyn and
 python -m benchmarks.reference_cases  twenty motions for other programs, found twice (minutes)
 python -m benchmarks.engines          those motions by other programs (minutes)
 python -m benchmarks.in_space         bodies in space, other programs too (minutes)
+python -m benchmarks.plane_or_space   forty objects in the plane and in space (minutes)
+python -m benchmarks.azimuths         how often intervals of shares over azimuths hold (minutes)
 
 workloads says what is done; with_c, with_best_c, with_rockeom, with_heyoka and with_scipy do it;
 ways lists the settings that are tried.

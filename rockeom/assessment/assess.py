@@ -18,6 +18,7 @@ import numpy as np
 
 from rockeom.assessment.azimuths import azimuths_of
 from rockeom.assessment.comparison import Checks, checks_at
+from rockeom.assessment.plane import in_plane
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
@@ -108,7 +109,8 @@ def assess(
         recordings on it has a lognormal fragility curve of maximum likelihood (Baker 2015) with its
         PGA at 50 %, from eight on that at 5 %, as `fit_fragility` says; changes that help with
         their figures; and assumptions. No record, or each, that overturns it is an answer, too.
-        In space the fraction is that of recordings and azimuths, and `azimuths` has it for each.
+        In space the fraction is that of recordings and azimuths, and `azimuths` has it for each;
+        `plane` has the planar answer, and `findings` say whether that was safe.
 
     Raises
     ------
@@ -129,6 +131,12 @@ def assess(
     the interval is Clopper and Pearson's of the sum of these parts, as if so many recordings had
     done it. Where the azimuths of a recording agree it is the exact one; for all parts with two
     values, of 2 to 44 recordings, it holds the truth more often (``tests/space/test_assess.py``).
+
+    The planar answer is that of the block of the weakest edge, of the same mass and moment of
+    inertia, under the component of each recording with the larger peak and the vertical one, by
+    the same factor as in space; where the edge opposite is farther away, in both directions. It was
+    safe, or not, where the interval of the difference of the fractions leaves out zero. A planar
+    block does not bounce; where its edges are at different distances it does not slide, either.
 
     References
     ----------
@@ -191,6 +199,7 @@ def assess(
     return Assessment(
         structure, conditions, level, statics, recorded, trials, changed, units_checked, of_codes,
         tie_answers(structure, conditions, trials.broken),
+        in_plane(structure, conditions, trials, level),
     )  # fmt: skip
 
 

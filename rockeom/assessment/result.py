@@ -22,6 +22,7 @@ from rockeom.assessment.azimuths import (
 )
 from rockeom.assessment.comparison import HOW_TO_READ, rows_of, sources_of
 from rockeom.assessment.figure import draw
+from rockeom.assessment.plane import InPlane, in_words as of_plane
 from rockeom.assessment.remedies import Remedy
 from rockeom.assessment.statics import Load, Statics
 from rockeom.assessment.ties import StrapTrial, TieAnswer, in_words, strap_trial
@@ -98,6 +99,8 @@ class Assessment:
         Checks of codes at each PGA (m, k).
     ties : tuple of TieAnswer, optional
         Ties that may break, and how often they do at each PGA.
+    plane : InPlane, optional
+        Planar answer for a body in space.
     """
 
     structure: Structure
@@ -110,6 +113,7 @@ class Assessment:
     units_checked: bool = False
     checks: tuple[tuple[Check, ...], ...] = ()
     ties: tuple[TieAnswer, ...] = ()
+    plane: InPlane | None = None
 
     # -- numbers
 
@@ -297,6 +301,7 @@ class Assessment:
             self._of_sliding(),
             *filter(None, [in_words(self.ties, self.trials, self.conditions)]),
             *filter(None, [of_azimuths(self.azimuths, self.trials, self.conditions, self.level)]),
+            *filter(None, [of_plane(self.plane, self.trials, self.level)]),
             *of_curve,
             *([self._of_unanswered()] if self.trials.without_answer else []),
         )
@@ -719,6 +724,7 @@ class Assessment:
             "overturn",
             f"{percent(self.level)} interval",
             "curve",
+            *["planar block"] * (self.plane is not None),
         )
         rows = [
             (
@@ -727,9 +733,10 @@ class Assessment:
                 f"{row.overturned} of {row.number}",
                 _interval(row),
                 "–" if curve is None else percent(float(curve.probability(row.pga))),
+                *([] if self.plane is None else [self.plane.at(i)]),
                 *([in_mm(row.room)] if self._moves else []),
             )
-            for row in self.trials.intensities
+            for i, row in enumerate(self.trials.intensities)
         ]
         return page.table((*heads, *(["room"] if self._moves else [])), rows)
 

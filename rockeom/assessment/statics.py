@@ -266,31 +266,68 @@ def statics_of(structure: Structure, slope: float = 0.0) -> Statics:
     )
 
 
-def _in_space(structure: Structure, slope: float) -> Statics:
-    """Statics of the direction in which the least acceleration lifts it."""
+class Edge(NamedTuple):
+    """Edge of the base of a body in space about which the least acceleration lifts it.
+
+    Parameters
+    ----------
+    azimuth : float
+        Azimuth of the direction, from x of the body, in which it leans about this edge [rad].
+    arm : float
+        Horizontal distance of the edge from the centroid [m].
+    behind : float
+        Horizontal distance from the centroid to which the base reaches the other way [m].
+    height : float
+        Height of the centroid [m].
+    """
+
+    azimuth: float
+    arm: float
+    behind: float
+    height: float
+
+
+def weakest_edge(structure: Structure) -> Edge:
+    """The edge nearest to the centroid, of equal ones the first counter-clockwise from x.
+
+    That of a round base is the one along x.
+
+    Raises InputError for anything but one body at rest on level feet or a round base.
+    """
     m: Any = structure.module
-    name, gravity = type(structure).__name__, gravity_of(m, structure.vector)
-    if slope:
-        raise InputError("slope", slope, "assess").so(f"{name} is judged on level ground alone")
     at = structure.positions({}) if stands_on_feet(m) or structure.overturning_angles else {}
     if at and has_barrier(structure):
         from scipy.spatial import ConvexHull  # slow to import
 
         center = at[next(iter(bodies(m)))]
         feet = np.array([at[foot] - center for foot in m.POINTS])
-        arm, height = -ConvexHull(feet[:, :2]).equations[:, -1].max(), -feet[0, 2]
-    elif structure.overturning_angles:  # of a round column
-        (alpha, _), height = structure.overturning_angles, at["column"][2]
+        edges = ConvexHull(feet[:, :2]).equations
+        x, y, offset = edges[edges[:, -1] >= edges[:, -1].max() * (1.0 + _SAME)].T
+        turns = np.mod(np.arctan2(y, x) + _SAME, 2.0 * np.pi) - _SAME  # rounding is no full turn
+        i = int(turns.argmin())
+        behind = -float((feet[:, :2] @ [x[i], y[i]]).min())
+        return Edge(float(turns[i]), -float(offset[i]), behind, -float(feet[0, 2]))
+    if structure.overturning_angles:  # of a round column
+        (alpha, _), height = structure.overturning_angles, float(at["column"][2])
         arm = height * math.tan(alpha)
-    else:
-        raise InputError("structure", of="assess").says(
-            f"{name} is not one body at rest on level feet, such as a Prism, nor a round column"
-        )
+        return Edge(0.0, arm, arm, height)
+    raise InputError("structure", of="assess").says(
+        f"{type(structure).__name__} is not one body at rest on level feet, such as a Prism, nor a "
+        "round column"
+    )
+
+
+def _in_space(structure: Structure, slope: float) -> Statics:
+    """Statics of the direction in which the least acceleration lifts it."""
+    m, name = structure.module, type(structure).__name__
+    if slope:
+        raise InputError("slope", slope, "assess").so(f"{name} is judged on level ground alone")
+    gravity, (_, arm, _, height) = gravity_of(m, structure.vector), weakest_edge(structure)
     least = float(gravity * arm / height)
     weight = float(structure.reactions({})["vertical_reaction"])
     return Statics(
-        (least, least), weight, weight / gravity, (float(arm), float(arm)), float(height),
-        2.0 * float(arm), "a foot, in the weakest direction,", one_body=False,
+        (least, least), weight, weight / gravity, (arm, arm), height,
+        2.0 * arm, "a foot, in the weakest direction,", one_body=False,
     )  # fmt: skip
 
 

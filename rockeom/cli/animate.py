@@ -1,11 +1,17 @@
 """``rockeom animate``: a simulation as a film."""
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 from rockeom.cli.simulate import add_case, case
 from rockeom.cli.text.options import add_number
 from rockeom.drawing.animation import FILES, Animation, animate, check_file
+from rockeom.drawing.scene import VIEW, view_from
+from rockeom.integrator.schema import in_space
+from rockeom.motion.slope import azimuth_angle
+from rockeom.numbers.checks import InputError
+from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulate
 
@@ -27,6 +33,8 @@ examples:
       --set half_width=0.2 half_height=0.9 --end 12 --out block.html
   rockeom animate rigid_block --pulse single-sine amplitude=4 period=0.8 --duration 4 \\
       --set half_width=0.2 half_height=0.9 --speed 0.25 --out slow.mp4
+  rockeom animate prism --set width=0.5 depth=0.7 height=3 mass=2000 --record El Centro 1940 \\
+      --pga 0.5g --azimuth 60deg --end 6 --view 30deg 20deg --out statue.gif
 """
 
 
@@ -41,10 +49,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_number(film, "--end", "S", "of what is shown [s]")
     add_number(film, "--speed", "X", "of the film; 0.25 is slow motion", default=1.0)
     add_number(film, "--frames-per-second", "N", "20 if not given", default=20.0)
+    film.add_argument(
+        "--view", nargs=2, metavar=("AZIMUTH", "ELEVATION"),
+        help="from which a structure in space is seen, such as 30deg 20deg",
+    )  # fmt: skip
+
+
+def _view(args: argparse.Namespace, one: Case) -> Sequence[float]:
+    """The view that was given [rad], or the usual one."""
+    if args.view is None:
+        return VIEW
+    if not in_space(one.structure.module):
+        raise InputError("--view", " ".join(args.view)).so("it moves in a plane: leave it out")
+    view = [float(azimuth_angle(angle, "--view")) for angle in args.view]
+    view_from(view)
+    return view
 
 
 def run(args: argparse.Namespace) -> int:
     one = case(args)
+    view = _view(args, one)
     check_file(args.out)  # before the simulation, not after
     response = simulate(one, options=SolverOptions(args.method))
     print(response.outcome.sentence)
@@ -58,6 +82,7 @@ def run(args: argparse.Namespace) -> int:
         end=args.end,
         speed=args.speed,
         frames_per_second=args.frames_per_second,
+        view=view,
     )
     film.save(args.out)
     print(f"wrote {args.out}: {len(film)} frames, {len(film) / film.frames_per_second:.4g} s")

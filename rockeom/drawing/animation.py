@@ -367,7 +367,8 @@ class Animation:
         """The tilt against time below the drawing, and the line that stands at a frame."""
         run = self.run
         (tilt, *_) = tilts_of(run.places.rotations()).values()
-        (shown,) = np.nonzero((self.times[0] <= run.t) & (run.t <= self.times[-1]))
+        first, last = np.searchsorted(run.t, self.times[[0, -1]], side="right")
+        shown = slice(max(first - 1, 0), last + 1)  # from the sample before to the one after
         tilt = tilt[shown]
         ax = figure.add_axes((0.13, (_BOTTOM + 0.42) / height, 0.83, (_HISTORY - 0.5) / height))
         ax.plot(run.t[shown], tilt, color=style.LINES[0], lw=0.9)
@@ -399,6 +400,7 @@ class Animation:
         if kind == ".html":
             title = html.escape(style.title_of(self.run))
             page = '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+            page += '<meta name="viewport" content="width=device-width, initial-scale=1">'
             page += f"<title>{title}</title></head>\n<body>{self._repr_html_()}</body></html>\n"
             write(path, page)
             return
@@ -448,8 +450,8 @@ def _png(canvas: FigureCanvasAgg) -> bytes:
 
 
 _PLAYER = """\
-<div id="{key}" style="display:inline-block;font:13px sans-serif;color:#333">
-<img alt="{title}" src="data:image/png;base64,{first}" style="display:block">
+<div id="{key}" style="display:inline-block;max-width:100%;font:13px sans-serif;color:#333">
+<img alt="{title}" src="data:image/png;base64,{first}" style="display:block;max-width:100%">
 <div style="display:flex;gap:8px;padding:4px">
 <button type="button">pause</button>
 <input type="range" aria-label="frame" min="0" max="{last}" value="0" style="flex:1">
@@ -468,7 +470,7 @@ _PLAYER = """\
   }}
   button.onclick = () => timer === null ? play() : pause();
   slider.oninput = () => {{ pause(); show(Number(slider.value)); }};
-  play();
+  matchMedia("(prefers-reduced-motion: reduce)").matches ? pause() : play();
 }})();
 </script>
 </div>

@@ -343,6 +343,7 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
         "how-to/own-integrator.md",
         "how-to/codes-of-practice.md",
         "how-to/statue-in-space.md",
+        "how-to/is-the-plane-enough.md",
         "how-to/column-that-wobbles.md",
     ],
 )

@@ -200,7 +200,7 @@ def test_the_interval_holds_for_all_parts_of_two_values(n):
         for larger in range(n + 1):
             fallen = np.repeat([low, high], [n - larger, larger])
             fell = (np.arange(turns) < fallen[:, None]).ravel()
-            ends.append(trials._by_parts(fell, np.repeat(np.arange(n), turns), LEVEL))
+            ends.append(trials.by_parts(fell, np.repeat(np.arange(n), turns), LEVEL))
         lower, upper = np.array(ends).T
         truth = (low + (high - low) * probabilities)[:, None] / turns
         outside = (lower > truth + 1e-12) | (upper < truth - 1e-12)

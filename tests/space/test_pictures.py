@@ -1,6 +1,12 @@
 """Pictures of bodies in space: places, hidden faces, feet, tracks and the stability surface."""
 
+import base64
 import functools
+import io
+import re
+import shutil
+import subprocess
+from importlib.util import find_spec
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,10 +14,13 @@ import pytest
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from PIL import Image, ImageSequence
 
 import rockeom as rk
 from rockeom import plots
+from rockeom.cli import main
 from rockeom.codes import FRICTIONLESS, SLIP_RIGHT
+from rockeom.drawing import film
 from rockeom.drawing.animation import ground_displacement
 from rockeom.drawing.plan import barrier_tilts
 from rockeom.drawing.scene import LOOKS, VIEW, Scene, work_of
@@ -192,24 +201,24 @@ def test_a_round_body_is_drawn_on_its_rim(body):
 
 def test_the_ground_of_a_film_moves_along_the_axes_of_a_turned_statue():
     run = rk.simulate(PRISM, EL_CENTRO[0], azimuth="90 deg", duration=3.0)
-    film = run.animate(start=2.0, end=2.5)
-    moved = np.zeros((len(film), 3))
-    moved[:, 1] = -ground_displacement(run.motion, film.times)
-    np.testing.assert_allclose(film.ground, projected(moved, *VIEW), atol=1e-12)
+    made = run.animate(start=2.0, end=2.5)
+    moved = np.zeros((len(made), 3))
+    moved[:, 1] = -ground_displacement(run.motion, made.times)
+    np.testing.assert_allclose(made.ground, projected(moved, *VIEW), atol=1e-12)
     labels = [line.get_label() for line in run.plot().axes[0].lines]
     assert labels == ["horizontal", "transverse"]
 
 
 def test_frames_of_a_film_in_space_show_the_response_at_their_time(tmp_path):
     run = shaken()
-    film = run.animate(tmp_path / "prism.gif", start=4.0, end=4.5, frames_per_second=10)
+    made = run.animate(tmp_path / "prism.gif", start=4.0, end=4.5, frames_per_second=10)
     assert (tmp_path / "prism.gif").stat().st_size > 1000
     motions = run.motion, run.transverse, run.vertical
-    moved = np.transpose([ground_displacement(motion, film.times) for motion in motions])
-    np.testing.assert_allclose(film.ground, projected(moved, *VIEW), atol=1e-12)
-    for i, t in enumerate(film.times):
+    moved = np.transpose([ground_displacement(motion, made.times) for motion in motions])
+    np.testing.assert_allclose(made.ground, projected(moved, *VIEW), atol=1e-12)
+    for i, t in enumerate(made.times):
         ax = Figure().add_subplot()
-        film.draw(i, ax)
+        made.draw(i, ax)
         state = {name: float(value) for name, value in run.at(t).items()}
         at = PRISM.positions(state)
         feet = [marks(ax, look) for look in LOOKS]
@@ -220,6 +229,60 @@ def test_frames_of_a_film_in_space_show_the_response_at_their_time(tmp_path):
         for face in faces(ax):
             assert (face > (left, low)).all()
             assert (face < (right, high)).all()
+
+
+def pictures_in(path) -> list[np.ndarray]:
+    """Frames of a file, in colours."""
+    if path.suffix == ".mp4":
+        show = [film.ffmpeg(), "-loglevel", "error", "-i", str(path)]
+        show += ["-f", "image2pipe", "-c:v", "png", "-"]
+        data = subprocess.run(show, capture_output=True, check=True).stdout
+        frames = [b"\x89PNG" + one for one in data.split(b"\x89PNG")[1:]]
+    elif path.suffix == ".html":
+        (listed,) = re.findall(r"const frames = \[(.*)\];", path.read_text(encoding="utf-8"))
+        frames = [base64.b64decode(one) for one in re.findall(r'"([^"]*)"', listed)]
+    else:
+        with Image.open(path) as whole:
+            return [np.asarray(one.convert("RGB"), int) for one in ImageSequence.Iterator(whole)]
+    return [np.asarray(Image.open(io.BytesIO(one)).convert("RGB"), int) for one in frames]
+
+
+@pytest.mark.parametrize("kind", [".gif", ".html", ".mp4"])
+def test_files_of_a_film_in_space_show_its_frames(kind, tmp_path):
+    if kind == ".mp4" and not shutil.which("ffmpeg") and not find_spec("imageio_ffmpeg"):
+        pytest.skip("there is no ffmpeg here: pip install imageio-ffmpeg")
+    made = shaken().animate(tmp_path / f"prism{kind}", start=4.0, end=4.5, frames_per_second=6)
+    shown = pictures_in(tmp_path / f"prism{kind}")
+    assert len(shown) == len(made) == 4
+    for frame, data in zip(shown, made.frames, strict=True):
+        drawn = np.asarray(Image.open(io.BytesIO(data)).convert("RGB"), int)
+        height, width, _ = drawn.shape
+        assert np.abs(frame[:height, :width] - drawn).mean() < 3.0  # of 255
+    apart = [np.abs(one - shown[0]).mean() for one in shown[1:]]
+    assert min(apart) > 0.3
+
+
+def test_a_film_between_two_samples_has_its_tilt():
+    run = shaken()
+    start = float(run.t[run.t > 4.0][0]) + 1e-6
+    made = run.animate(start=start, end=start + 1.1e-5, frames_per_second=2e5)
+    assert len(made.frames) == len(made) == 3
+
+
+def test_the_command_draws_a_film_from_a_view(tmp_path, capsys):
+    body, path = "--set width=0.5 depth=0.7 height=3.0 mass=2000", tmp_path / "prism.html"
+    start = "--free --duration 1 --end 0.1 --initial pitch=0.1 roll=0.05 --frames-per-second 10"
+    asked = f"animate prism {body} {start} --view 30deg 20deg --out"
+    assert main([*asked.split(), str(path)]) == 0
+    body = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)
+    run = rk.simulate(body, rk.GroundMotion.none(1.0), initial={"pitch": 0.1, "roll": 0.05})
+    view = tuple(np.radians([30.0, 20.0]).tolist())
+    run.animate(tmp_path / "same.html", end=0.1, frames_per_second=10, view=view)
+    for shown, same in zip(*map(pictures_in, sorted(tmp_path.iterdir())), strict=True):
+        np.testing.assert_array_equal(shown, same)
+    block = "rigid_block --free --duration 1 --set half_width=0.1 half_height=0.4 --out b.gif"
+    assert main(["animate", *block.split(), "--view", "30deg", "20deg"]) == 2
+    assert "it moves in a plane: leave it out" in capsys.readouterr().err
 
 
 # --- tilt, tracks and histories
