@@ -22,7 +22,6 @@ from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
 from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
-from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD, Portable, portable
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
@@ -33,16 +32,17 @@ from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.numbers.checks import InputTypeError
+from rockeom.integrator.schema import in_space
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import legs
+from rockeom.structures.positions import bodies, legs
 from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase
 
-ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history")
 MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 MOST_AXES, COARSE = 5, 4
@@ -237,6 +237,10 @@ class Explorer:
     @cached_property
     def html(self) -> str:
         """The page as text."""
+        if self._spatial:
+            raise InputError("case", of="explorer").says(
+                "the structure moves in space, and pages show the plane: simulate it in Python"
+            )
         page = _asset("page.html")
         data = {"program": _packed(self.module.code), "of": self.description()}
         style = _asset("page.css")
@@ -326,9 +330,18 @@ class Explorer:
     @property
     def _questions(self) -> tuple[str, ...]:
         """The modules whose entries a page calls; structures without feet have no statics."""
-        feet = self._structure.rocks_on_rigid_ground
-        modules = ["questions"] + ["verdict"] * feet + ["forces"] * self._draws_forces
+        feet, more = self._structure.rocks_on_rigid_ground, "space" if self._spatial else "balance"
+        modules = ["questions", more] + ["verdict"] * feet + ["forces"] * self._draws_forces
         return tuple(f"rockeom.browser.{name}" for name in modules)
+
+    @property
+    def _spatial(self) -> bool:
+        return in_space(self._structure.module)
+
+    @property
+    def _body(self) -> int:
+        """The place of the body whose lean a page shows: the last one, a column below a slab."""
+        return max(bodies(self._structure.module).values(), default=0)
 
     @property
     def _draws_forces(self) -> bool:
@@ -337,8 +350,8 @@ class Explorer:
 
     def _written(self) -> tuple[Text, ...]:
         """The texts that questions take from the set-up and from the structure."""
-        p, horizontal, vertical = self.setup.sizes
-        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
+        names = "MOST_P, N_NUMBERS, ROWS_X, ROWS_T, ROWS_Y, BODY"
+        sizes = f"{names} = {', '.join(map(str, (*self.setup.sizes, self._body)))}\n"
         if self._structure.rocks_on_rigid_ground:
             m = self._structure.module
             left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
@@ -350,7 +363,8 @@ class Explorer:
     def entries(self) -> tuple[str, ...]:
         """The functions that a page calls: of its texts, statics of feet, forces that it draws."""
         feet = self._structure.rocks_on_rigid_ground
-        return (*ENTRIES, *["uplift_and_friction"] * feet, *["forces"] * self._draws_forces)
+        own = "leans" if self._spatial else "balance"
+        return (*ENTRIES, own, *["uplift_and_friction"] * feet, *["forces"] * self._draws_forces)
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program.
@@ -378,7 +392,7 @@ class Explorer:
                 for name, one in self.controls.of.items() if isinstance(one, Slider)
             ],
             **self._choices(),
-            "numbers": NUMBERS,
+            "numbers": self.setup.sizes[1],
             "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
             "energyUnit": main_units(m)["total_energy"],

@@ -10,7 +10,7 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, number
-from rockeom.numbers.dual import value_of
+from rockeom.numbers.functions import checked
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, cylinder
 
@@ -89,7 +89,7 @@ class RollingCylinder(StructureWithFields):
                 "None, for a rim that rolls without slip, or 0, for a smooth one: a rim that slips "
                 "with friction is not modelled"
             )
-        values = {name: value_of(x) for name, x in self.parameters().items()}
+        values = {name: checked(x) for name, x in self.parameters().items()}
         across, along = values["inertia_across"], values["inertia_along"]
         if along > 2.0 * across * (1.0 + 1e-9):
             raise InputError("inertia_along", along, "RollingCylinder").wrong(

@@ -15,8 +15,8 @@ from rockeom.modelling.standing import check_tensor
 from rockeom.motion.segments import C1, END, KIND, LINEAR, START, acceleration
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
-from rockeom.numbers.dual import directions, value_of
-from rockeom.numbers.functions import mathematics
+from rockeom.numbers.dual import directions
+from rockeom.numbers.functions import checked, mathematics
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, box, cylinder
 
@@ -206,9 +206,9 @@ class WobblingColumn(_RollingColumns):
     def __post_init__(self) -> None:
         values = self.parameters()
         across, along = values["inertia_xx"], values["inertia_zz"]
-        moments = value_of(np.array([across, across, along]))
+        moments = checked(np.array([across, across, along]))
         check_tensor("WobblingColumn", np.diag(moments))
-        if value_of(values["centroid_height"]) > value_of(self.height):
+        if checked(values["centroid_height"]) > checked(self.height):
             raise InputError("centroid_height", self.centroid_height, "WobblingColumn").give(
                 f"a height above the base of at most its own, {self.height:g} m"
             )

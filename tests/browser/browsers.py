@@ -23,10 +23,10 @@ import numpy as np
 
 import rockeom as rk
 from rockeom.browser.page import Explorer
-from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD
 from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
+from rockeom.integrator.schema import ground_axes
 from rockeom.structures.classes import SHIPPED
 from rockeom.sweeps.case_numbers import of_structure
 from rockeom.symbolic import parameter
@@ -122,12 +122,13 @@ def native(page: Explorer, samples: int = 0) -> Callable[..., dict[str, Any]]:
     """
     module = page.case(**page.controls.named(page.controls.start)).structure.module
     program, states = page.program.native(module), len(module.STATES)
+    axes = len(ground_axes(module))
 
     def motion(place: Any, end: float = 0.0) -> dict[str, Any]:
         arrays = {
             "sliders": np.array(place, float), "end": end, "p": np.zeros(page.setup.sizes[0]),
-            "numbers": np.zeros(NUMBERS), "states": np.zeros((samples, states)),
-            "modes": np.zeros(samples, np.int64), "ground": np.zeros((2, samples)),
+            "numbers": np.zeros(page.setup.sizes[1]), "states": np.zeros((samples, states)),
+            "modes": np.zeros(samples, np.int64), "ground": np.zeros((axes, samples)),
             "impacts": np.zeros(10), "spacing": np.zeros(3), "readings": np.zeros(5),
         }  # fmt: skip
         outcome = OUTCOMES.get(int(program.motion(*arrays.values())), "unknown")

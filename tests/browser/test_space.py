@@ -1,0 +1,80 @@
+"""Pages of structures in space: the program in WebAssembly, and what it tells of a motion."""
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.browser.places import NUMBERS
+
+from .browsers import native, random_places
+
+SAMPLES = 401
+PULSE = rk.GroundMotion.single_sine(3.0, 0.8, duration=4.0)
+STATUE = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)
+SLIDERS = {
+    "amplitude": (0.5, 8.0), "azimuth": (0.0, 1.6), "width": (0.3, 1.0), "depth": (0.4, 1.2),
+    "period": (0.3, 2.0),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def page():
+    return rk.explorer(rk.Case(STATUE, PULSE, azimuth=0.5), SLIDERS)
+
+
+def test_motions_in_webassembly_have_the_bits_of_machine_code(page):
+    pytest.importorskip("wasmtime", reason="WebAssembly is run by wasmtime")
+    from .in_wasmtime import ProgramInWasmtime
+
+    of_machine = native(page, SAMPLES)
+    wasm = ProgramInWasmtime(page.program, STATUE.module)
+    outcomes = set()
+    for place in random_places(page, 12):
+        wanted, leans = of_machine(place), np.zeros((2, 8, SAMPLES))
+        outcomes.add(wanted["outcome"])
+        history = [wanted.pop(n) for n in ("outcome", "program")]
+        again = {name: np.zeros_like(x) if np.ndim(x) else x for name, x in wanted.items()}
+        again["sliders"][:] = place
+        wasm.motion(*again.values())
+        for name, x in wanted.items():
+            assert np.asarray(again[name]).tobytes() == np.asarray(x).tobytes(), name
+        for program, of, out in zip((history[1], wasm), (wanted, again), leans, strict=True):
+            program.leans(*(of[n] for n in ("states", "modes", "p", "spacing")), out)
+        assert leans[0].tobytes() == leans[1].tobytes()
+    assert {"overturned", "came to rest"} <= outcomes
+
+
+def test_motions_are_those_of_simulate_and_so_are_tilts_and_shapes(page):
+    assert all(same for _, same in page._motions())
+    place = page.setup.controls.start
+    place[[0, 1, 2]] = 3.0, 0.3, 0.6
+    found, leans = native(page, SAMPLES)(place), np.zeros((8, SAMPLES))
+    history = (found[name] for name in ("states", "modes", "p", "spacing"))
+    found["program"].leans(*history, leans)
+    case = page.case(**page.controls.named(place))
+    run = rk.simulate(case)
+    between, n, _ = found["spacing"]
+    assert n == SAMPLES
+    tilt = np.arctan2(np.hypot(leans[3], leans[4]), leans[5])
+    assert tilt.max() > 0.02
+    wanted = run.at(between * np.arange(SAMPLES), names=["tilt", "tilt_direction", "x", "z"])
+    assert tilt == pytest.approx(wanted["tilt"], abs=1e-6)
+    assert leans[0] == pytest.approx(wanted["x"], abs=1e-6)
+    assert leans[2] == pytest.approx(wanted["z"], abs=1e-6)
+    leaning = tilt > 1e-3
+    turn = np.arctan2(-leans[7], -leans[6]) - wanted["tilt_direction"]
+    assert np.abs(np.sin(turn[leaning])).max() < 1e-4
+    shape = case.structure.solids["body"].vertices
+    assert found["numbers"][NUMBERS:] == pytest.approx(shape.ravel(), abs=1e-15)
+    shaking = case.ground.shaking(between * np.arange(n))
+    assert found["ground"] == pytest.approx(np.array(shaking), abs=1e-12)
+
+
+def test_an_azimuth_of_zero_is_a_way_of_its_own(page):
+    """There the tables of the ground have no row without end."""
+    place = page.setup.controls.start
+    for azimuth in (0.0, 0.5):
+        place[1] = azimuth
+        wanted = page.case(**page.controls.named(place)).problem().horizontal
+        rows = page.setup.numbers(place).horizontal[: len(wanted)]
+        assert rows == pytest.approx(wanted, rel=1e-12)
