@@ -202,12 +202,18 @@ def energy_history(
 ):
     """Energies at the samples of a motion, out (5, n), as `motion` has left it.
 
-    Kinetic, gravitational and elastic energy, each less that upright at rest; work of the ground
-    and of declared forces since the start, by the trapezoidal rule on the samples; and what was
-    lost since then, which is what these leave: at impacts, in dampers and by yielding.
+    Kinetic, gravitational and elastic energy, each less that upright at rest, in space the
+    gravitational one less its lowest; work of the ground and of declared forces since the start, by
+    the trapezoidal rule on the samples; and what was lost since then, which is what these leave: at
+    impacts, in dampers and by yielding.
     """
     energy, rest, power = np.empty(3), np.empty(3), np.empty(3)
     energies(modes[0], np.zeros(N_STATES), p, rest)
+    if AXES == 3:  # where zero coordinates may be below the ground
+        rest[1] = np.inf
+        for i in range(int(spacing[1])):
+            energies(modes[i], states[i], p, energy)
+            rest[1] = min(rest[1], energy[1])
     work, before, start = 0.0, 0.0, 0.0
     for i in range(int(spacing[1])):
         energies(modes[i], states[i], p, energy)

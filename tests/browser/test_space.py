@@ -1,12 +1,19 @@
 """Pages of structures in space: the program in WebAssembly, and what it tells of a motion."""
 
+import json
+import re
+
 import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.browser import setup
 from rockeom.browser.places import NUMBERS
+from rockeom.cli import main
+from rockeom.numbers.checks import InputError
 
 from .browsers import native, random_places
+from .test_bits import bits
 
 SAMPLES = 401
 PULSE = rk.GroundMotion.single_sine(3.0, 0.8, duration=4.0)
@@ -78,3 +85,47 @@ def test_an_azimuth_of_zero_is_a_way_of_its_own(page):
         wanted = page.case(**page.controls.named(place)).problem().horizontal
         rows = page.setup.numbers(place).horizontal[: len(wanted)]
         assert rows == pytest.approx(wanted, rel=1e-12)
+
+
+def test_a_page_is_small_and_has_the_surface_and_the_map_of_azimuth_and_intensity(page):
+    text = page.html
+    assert len(text.encode()) < 200e3
+    assert "class Scene" in text
+    assert "class Sketch" not in text
+    of = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])["of"]
+    assert [of["sliders"][i]["name"] for i in of["axes"]] == ["azimuth", "amplitude"]
+    assert of["ground"] == ["ground_x", "ground_y", "vertical"]
+    assert of["space"]["feet"] == [1, 2, 3, 4]
+    (solid,) = of["space"]["solids"]
+    assert (solid["vertices"], solid["faces"], solid["at"]) == (8, 6, NUMBERS)
+    assert not of["entries"].keys() & {"balance", "uplift_and_friction"}
+
+
+def turned(azimuth, offset):
+    statue = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2e3, friction=0.4, offset_x=offset)
+    pulse = rk.GroundMotion.single_sine(3.0, 0.8, duration=3.0)
+    return rk.Case(statue, pulse, initial={"pitch": 0.02}, azimuth=azimuth)
+
+
+def test_the_python_of_a_page_runs_the_same_case():
+    sliders = {"azimuth": (0.1, 1.6, 0.4), "offset": (0.0, 0.1, 0.05)}
+    code = rk.explorer(turned, sliders).description()["code"]
+    names = {}
+    values = {"0": "0.4", "1": "0.05"}
+    exec(re.sub(r"\{(\d)\}", lambda k: values[k[1]], code).replace("print(", "str("), names)
+    again = rk.simulate(turned(0.4, 0.05), options=rk.SolverOptions(method="DOP853"))
+    assert bits(names["run"].record) == bits(again.record)
+
+
+def test_a_question_of_the_largest_rotation_has_no_page_in_space():
+    question = rk.Question("Does it lean further?", {"azimuth": 1.0}, compare="peak")
+    with pytest.raises(InputError, match="pages compare no largest rotation: ask whether"):
+        rk.explorer(rk.Case(STATUE, PULSE), {"azimuth": (0.1, 1.6)}, questions=[question])
+
+
+def test_command_makes_a_page_of_a_prism(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(setup, "PLACES", 8)
+    words = "explore prism --set width=0.5 depth=0.7 height=3 mass=2000 --pulse single-sine"
+    words += " amplitude=3 period=0.8 --duration 3 --vary width=0.4..0.8 amplitude=1..6 --out"
+    assert main([*words.split(), str(tmp_path / "statue.html")]) == 0
+    assert "open it in a browser" in capsys.readouterr().out
