@@ -149,7 +149,13 @@ class Charts {
     to.fillStyle = color("blue");
     write(to, this.label(), left, 14);
     to.fillStyle = color("orange");
-    write(to, this.groundLabels().join("; "), left, middle + 17);
+    let [x, y] = [left, middle + 17];
+    for (const label of this.groundLabels()) {
+      const room = to.measureText(label).width + 12;
+      if (x > left && x + room > width) [x, y] = [left, y + 14]; // on a narrow screen
+      write(to, label, x, y);
+      x += room;
+    }
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
     const now = upper.x(i * spacing[0]);

@@ -76,7 +76,7 @@ const TEXTS = {
     structure: "The structure in space, to scale. The arrow keys turn the view, plus and minus zoom.",
     tilt: "tilt",
     grid: "grid {0} m",
-    ground_x: "ground acceleration along x",
+    ground_x: "ground along x",
     ground_y: "dotted: along y",
     energyCaption: "energy at the shown time; gravitational: above the lowest place of the motion",
     phaseCaption: "tilt against its direction, seen from the body; dashed: where it overturns",
