@@ -16,6 +16,8 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, NamedTuple
 
@@ -26,11 +28,12 @@ from rockeom.browser.page import Explorer
 from rockeom.browser.program import METHOD
 from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
-from rockeom.integrator.schema import ground_axes
+from rockeom.integrator.schema import ground_axes, in_space
 from rockeom.structures.classes import SHIPPED
 from rockeom.sweeps.case_numbers import of_structure
 from rockeom.symbolic import parameter
 from tests.contact import declared
+from tests.docs.test_docs import _module as docs_module
 from tests.shipped import plain
 
 BROWSERS = {
@@ -171,11 +174,8 @@ def of_python(page: Explorer, place: np.ndarray, factor: float = 1.0) -> tuple[s
         case.problem()
     except ValueError:
         return "unknown", 0.0
-    run = rk.simulate(
-        case.structure, case.motion if factor == 1.0 else case.motion.scaled(factor),
-        impact=case.impact, initial=case.initial, duration=case.duration, vertical=case.vertical,
-        options=rk.SolverOptions(method=METHOD),
-    )  # fmt: skip
+    motion = case.motion if factor == 1.0 else case.motion.scaled(factor)
+    run = rk.simulate(replace(case, motion=motion), options=rk.SolverOptions(method=METHOD))
     return str(run.outcome), abs(run.extremes(run.states[run.structure.module.ROTATION]).peak)
 
 
@@ -217,7 +217,12 @@ def pages() -> dict[str, rk.Case]:
         **frame, support=rk.Sliding(friction=0.3, restitution=0.0)
     )
     structures["declared block that slides"] = _declared_block()
-    return {name: rk.Case(structure, pulse) for name, structure in structures.items()}
+    structures["prism"] = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)
+    structures["prism that slides"] = replace(structures["prism"], height=1.0, friction=0.3)
+    return {
+        name: rk.Case(structure, pulse, azimuth=0.3 if in_space(structure.module) else 0.0)
+        for name, structure in structures.items()
+    }
 
 
 def _declared_block() -> rk.Structure:
@@ -240,6 +245,7 @@ def page_of(case: rk.Case) -> Explorer:
         if number.value and number.unit in ("m", "kg", "N/m", "-") and number.smooth
     ][:2]
     sliders = {"amplitude": (0.5 * least, 3.0 * least)}
+    sliders |= {"azimuth": (0.0, 1.5)} if in_space(module) else {}
     sliders |= {name: (0.8 * value, 1.25 * value) for name, value in lengths}
     return rk.explorer(case, sliders, module.NAME)
 
@@ -247,10 +253,13 @@ def page_of(case: rk.Case) -> Explorer:
 def main() -> int:
     asked = sys.argv[1:]
     right = True
-    for name, case in pages().items():
+    explorers = docs_module("explorers")
+    made = {name: partial(page_of, case) for name, case in pages().items()}
+    made |= {name: partial(explorers.in_space, name) for name in explorers.IN_SPACE}
+    for name, make in made.items():
         if asked and name not in asked:
             continue
-        page = page_of(case)
+        page = make()
         try:
             _ = page.html
         except UntracedError as error:

@@ -11,6 +11,7 @@ from rockeom.browser import setup
 from rockeom.browser.places import NUMBERS
 from rockeom.cli import main
 from rockeom.numbers.checks import InputError
+from tests.docs.test_docs import _module as docs_module
 
 from .browsers import native, random_places
 from .test_bits import bits
@@ -29,25 +30,31 @@ def page():
     return rk.explorer(rk.Case(STATUE, PULSE, azimuth=0.5), SLIDERS)
 
 
-def test_motions_in_webassembly_have_the_bits_of_machine_code(page):
+def same_in_wasmtime(page, places) -> set[str]:
+    """The outcomes of motions, whose bits and leans are asserted to be the same in WebAssembly."""
     pytest.importorskip("wasmtime", reason="WebAssembly is run by wasmtime")
     from .in_wasmtime import ProgramInWasmtime
 
     of_machine = native(page, SAMPLES)
-    wasm = ProgramInWasmtime(page.program, STATUE.module)
+    wasm = ProgramInWasmtime(page.program, page.setup.module)
     outcomes = set()
-    for place in random_places(page, 12):
+    for place in places:
         wanted, leans = of_machine(place), np.zeros((2, 8, SAMPLES))
-        outcomes.add(wanted["outcome"])
-        history = [wanted.pop(n) for n in ("outcome", "program")]
+        outcomes.add(wanted.pop("outcome"))
+        machine = wanted.pop("program")
         again = {name: np.zeros_like(x) if np.ndim(x) else x for name, x in wanted.items()}
         again["sliders"][:] = place
         wasm.motion(*again.values())
         for name, x in wanted.items():
             assert np.asarray(again[name]).tobytes() == np.asarray(x).tobytes(), name
-        for program, of, out in zip((history[1], wasm), (wanted, again), leans, strict=True):
+        for program, of, out in zip((machine, wasm), (wanted, again), leans, strict=True):
             program.leans(*(of[n] for n in ("states", "modes", "p", "spacing")), out)
         assert leans[0].tobytes() == leans[1].tobytes()
+    return outcomes
+
+
+def test_motions_in_webassembly_have_the_bits_of_machine_code(page):
+    outcomes = same_in_wasmtime(page, random_places(page, 12))
     assert {"overturned", "came to rest"} <= outcomes
 
 
@@ -129,3 +136,38 @@ def test_command_makes_a_page_of_a_prism(tmp_path, capsys, monkeypatch):
     words += " amplitude=3 period=0.8 --duration 3 --vary width=0.4..0.8 amplitude=1..6 --out"
     assert main([*words.split(), str(tmp_path / "statue.html")]) == 0
     assert "open it in a browser" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("name", "outcomes"),
+    [
+        ("statue", {"overturned", "came to rest"}),
+        ("wobbling_column", {"overturned", "completed"}),
+        ("can", {"completed"}),
+    ],
+)
+def test_pages_of_the_guides_have_the_motions_of_simulate_and_the_same_bits(name, outcomes):
+    shown = docs_module("explorers").in_space(name)
+    assert all(same for _, same in shown._motions())
+    assert len(shown.html.encode()) < 250e3
+    assert outcomes <= same_in_wasmtime(shown, random_places(shown, 12))
+
+
+def test_a_column_whose_first_direction_depends_on_sliders_has_no_page():
+    column = rk.WobblingColumn(radius=0.5, height=4.0, mass=8e3)
+    case = rk.Case(column, rk.GroundMotion.single_sine(3.0, 0.8, duration=3.0), azimuth=0.4)
+    with pytest.raises(InputError, match="follows no slider: name the initial direction"):
+        _ = rk.explorer(case, {"amplitude": (2.0, 6.0)}).setup
+
+
+def test_surfaces_of_a_page_are_those_of_the_mesh():
+    vertices = [(0.0, 0.0, 0.9), (0.3, 0.0, -0.3), (-0.2, 0.3, -0.3), (-0.2, -0.3, -0.3)]
+    faces = [(0, 1, 2), (0, 2, 3), (0, 3, 1), (3, 2, 1)]
+    tripod = rk.LeggedStatue(
+        feet={"a": (0.3, 0.0), "b": (-0.2, 0.3), "c": (-0.2, -0.3)}, centroid=(0.0, 0.0, 0.3),
+        mass=100.0, inertia=np.diag([9.0, 9.0, 4.0]), shape=(vertices, faces),
+    )  # fmt: skip
+    rows, packed = rk.explorer(rk.Case(tripod, PULSE), {"amplitude": (1.0, 6.0)})._surfaces
+    assert rows == [{"place": 0, "vertices": 4, "faces": 4, "corners": 3, "at": -1}]
+    assert np.frombuffer(packed[:48], "<f4") == pytest.approx(np.ravel(vertices), rel=1e-6)
+    assert np.frombuffer(packed[48:], "<u2").tolist() == np.ravel(faces).tolist()
