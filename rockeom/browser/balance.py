@@ -1,4 +1,4 @@
-"""What a page asks of a structure in the plane besides its motion: overturning angles, separatrix.
+"""Overturning angles and the separatrix of a structure in the plane, as a page asks for them.
 
 This text is joined to others, see `rockeom.browser.page`.
 """

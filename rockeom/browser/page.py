@@ -60,7 +60,7 @@ _ALONG = (("ground",), ("ground_x", "ground_y"))
 _AZIMUTHS = ("azimuth", "azimuth_degrees")
 _INTENSITIES = ("motion.scale", "amplitude", "pga", "scale")
 MOST_VERTICES = 20000
-"""Of all surfaces of a page; the drawing of more takes too long."""
+"""The most vertices of a surface: the drawing of more takes too long."""
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 _POLICY = (
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
@@ -432,7 +432,7 @@ class Explorer:
         }  # fmt: skip
 
     def _in_space(self) -> dict[str, Any]:
-        """What a page draws of a structure in space: its body, its feet, and its surfaces."""
+        """The body, the feet and the surfaces of a structure in space, which its page draws."""
         m = self._structure.module
         points = getattr(m, "POINTS", ())
         feet = points or [n for n, k in zip(m.POSITIONS, m.POSITION_KINDS, strict=True)

@@ -1,4 +1,4 @@
-"""What a page asks of a structure in space besides its motion: the way of a body and of its axis.
+"""The way of a body in space and of its axis, as a page asks for them besides the motion.
 
 This text is joined to others, see `rockeom.browser.page`.
 """

@@ -17,7 +17,7 @@ def with_texts(
     """The script of the texts without comments and indents, with others in its table.
 
     names : words of the names of sliders, menus, states and presets. spatial : whether the page is
-    of space, whose texts stand in a table within. Raises ValueError for a text
+    of space, whose texts are a table within. Raises ValueError for a text
     that the table does not have, and for one that leaves out a place such as {0}.
     """
     source = _TABLE.findall(script)[0]
