@@ -7,6 +7,7 @@ over the ranges of all sliders, the numbers are then compared with those of Pyth
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -353,29 +354,46 @@ def _varied(data: np.ndarray, name: str) -> tuple[list[str], list[str]]:
 
 
 def _table(lines: Lines, name: str, table: np.ndarray, number: int) -> list[str]:
-    """Write the lines that fill a ground motion; returns the constants that they read."""
+    """Write the lines that fill a ground motion; returns the constants that they read.
+
+    Rows that follow one another and whose operations are the same are a loop. Raises UntracedError
+    where most of many are not.
+    """
     if len(table) <= LONG_TABLE:
-        for (i, j), x in np.ndenumerate(table):
-            lines.lines.append(f"{name}[{i}, {j}] = {lines.name(node_of(x))}")
-        return []
-    constants, inside = [], []
-    for j, column in enumerate(table.T):
-        text, read = _column(lines, column, f"{name.upper()}_{number}_{j}")
-        constants += read
-        inside.append(f"    {name}[i, {j}] = {text}")
-    lines.lines += [f"for i in range({len(table)}):", *inside]
+        return _rows(lines, name, table, 0)
+    alike = [[_shape(x) for x in row] for row in table]
+    starts = [0, *(i for i in range(1, len(table)) if alike[i] != alike[i - 1]), len(table)]
+    if len(starts) > LONG_TABLE:
+        raise UntracedError("the rows of the ground motion are not all calculated alike")
+    constants = []
+    for start, end in itertools.pairwise(starts):
+        if end - start <= LONG_TABLE:
+            _rows(lines, name, table[start:end], start)
+            continue
+        inside = []
+        for j, column in enumerate(table[start:end].T):
+            text, read = _column(lines, column, f"{name.upper()}_{number}_{start}_{j}")
+            constants += read
+            inside.append(f"    {name}[i{f' + {start}' if start else ''}, {j}] = {text}")
+        lines.lines += [f"for i in range({end - start}):", *inside]
     return constants
+
+
+def _rows(lines: Lines, name: str, table: np.ndarray, start: int) -> list[str]:
+    """Write rows one by one, from number start on; they read no constants."""
+    for (i, j), x in np.ndenumerate(table):
+        lines.lines.append(f"{name}[{start + i}, {j}] = {lines.name(node_of(x))}")
+    return []
+
+
+def _shape(x: Any) -> Any:
+    return skeleton(node_of(x), [])
 
 
 def _column(lines: Lines, column: np.ndarray, name: str) -> tuple[str, list[str]]:
     """A column of many rows, whose operations are the same, as an expression of its row i."""
-    of_rows: list[list[float]] = []
-    shapes = set()
-    for x in column:
-        of_rows.append([])
-        shapes.add(skeleton(node_of(x), of_rows[-1]))
-    if len(shapes) > 1:
-        raise UntracedError("the rows of the ground motion are not all calculated alike")
+    of_rows: list[list[float]] = [[] for _ in column]
+    shapes = {skeleton(node_of(x), row) for x, row in zip(column, of_rows, strict=True)}
     (shape,) = shapes
     texts, constants = _varied(np.array(of_rows), name)
     return _expression(lines, shape, iter(texts)), constants

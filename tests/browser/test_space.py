@@ -171,3 +171,27 @@ def test_surfaces_of_a_page_are_those_of_the_mesh():
     assert rows == [{"place": 0, "vertices": 4, "faces": 4, "corners": 3, "at": -1}]
     assert np.frombuffer(packed[:48], "<f4") == pytest.approx(np.ravel(vertices), rel=1e-6)
     assert np.frombuffer(packed[48:], "<u2").tolist() == np.ravel(faces).tolist()
+
+
+def test_a_statue_under_three_components_of_a_record_is_turned_as_in_python():
+    """Their tables are as long as the longest, with a row of quiet ground behind."""
+    names = ("180", "270", "up")
+    x, y, up = (rk.GroundMotion.from_library(f"El Centro 1940 {n}") for n in names)
+    case = rk.Case(STATUE, x, transverse=y, vertical=up, azimuth=0.3, duration=10.0)
+    record = rk.explorer(case, {"scale": (0.2, 3.0, 1.5), "azimuth": (0.0, 3.1)})
+    place = record.setup.controls.start
+    wanted = record.case(**record.controls.named(place)).problem()
+    made = record.setup.numbers(place)
+    for name in ("horizontal", "transverse", "vertical"):
+        table = getattr(wanted, name)
+        assert getattr(made, name)[: len(table)] == pytest.approx(table, rel=1e-12, abs=1e-12)
+    assert native(record)(place)["outcome"] == str(
+        rk.simulate(
+            case.structure,
+            x.scaled(1.5),
+            transverse=y.scaled(1.5),
+            vertical=up.scaled(1.5),
+            azimuth=0.3,
+            duration=10.0,
+        ).outcome
+    )
