@@ -7,12 +7,13 @@ const test = require("node:test");
 const vm = require("vm");
 
 const ASSETS = path.join(__dirname, "../../rockeom/browser/assets");
-const scripts = ["texts", "views", "panel", "address", "lesson", "map", "surface"];
+const scripts = ["texts", "views", "panel", "address", "lesson", "map", "surface", "charts", "lean"];
 const context = vm.createContext({ self: {}, URLSearchParams });
 const names =
-  "Surface, accept, covers, few, fill, hull, kindOf, lowest, named, quantity, roundStep, short, ticks, truth, within";
+  "Lean, Surface, accept, covers, few, fill, hull, kindOf, lowest, named, quantity, roundStep, short, ticks, truth, within";
 const text = scripts.map((name) => fs.readFileSync(path.join(ASSETS, `${name}.js`), "utf8")).join("\n");
 const {
+  Lean,
   Surface,
   accept,
   covers,
@@ -155,4 +156,17 @@ test("a face covers what is behind it, not what is before or beside it", () => {
   assert.equal(covers(face, [5, 5], 1.9), true);
   assert.equal(covers(face, [5, 5], 2.1), false);
   assert.equal(covers(face, [12, 5], 0), false);
+});
+
+test("a body overturns where its centroid is above the farthest foot, a round one at one tilt", () => {
+  const space = { round: false };
+  const lean = new Lean({ runner: { of: { space } } });
+  const [b, c, h] = [0.25, 0.35, 1.5];
+  lean.arms = [-1, 1].flatMap((x) => [-1, 1].map((y) => [x * b, y * c, -h]));
+  for (const d of [0, 0.7, 2, 4, 5.5]) {
+    const right = Math.atan((b * Math.abs(Math.cos(d)) + c * Math.abs(Math.sin(d))) / h);
+    assert.ok(Math.abs(lean.barrier(Math.cos(d), Math.sin(d)) - right) < 1e-15);
+  }
+  space.round = true;
+  assert.ok(Math.abs(lean.barrier(1, 0) - Math.atan(Math.hypot(b, c) / h)) < 1e-15);
 });

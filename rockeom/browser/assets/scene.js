@@ -58,12 +58,11 @@ class Scene {
     const { runner, surfaces } = this;
     this.across = page.displacement(1);
     this.at(0);
-    const feet = this.feet().map(({ at }) => at);
     const center = this.place(runner.of.space.body);
     const arms = [
-      ...surfaces.flatMap(({ points }) => points),
-      ...feet.map((at) => at.map((x, k) => x - center[k])),
-    ];
+      ...surfaces.flatMap(({ solid, points }) => points.map((point) => this.moved(solid.place, point))),
+      ...this.feet().map(({ at }) => at),
+    ].map((at) => at.map((x, k) => x - center[k]));
     const radius = arms.reduce((most, arm) => Math.max(most, Math.hypot(...arm)), 0) || 1;
     const ranges = [0, 1, 2].map((k) => {
       const along = this.leans.subarray(k * SAMPLES, k * SAMPLES + runner.shown);
@@ -205,13 +204,8 @@ class Scene {
       line(to, on(corner), on(tip));
       write(to, name, ...on(tip.map((at, j) => at + (j === k ? 0.08 * reach : 0))), "center");
     });
-    const step = ticks([low[0], high[0]], 4);
-    write(
-      to,
-      fill(/** @type {any} */ (TEXTS).grid, short(Number((step[1] - step[0]).toPrecision(3)))),
-      8,
-      16,
-    );
+    const [, step] = ticks([0, 2 * reach], 4);
+    write(to, fill(/** @type {any} */ (TEXTS).grid, short(step)), 8, 16);
   }
 
   /** Faces that look at the viewer and their edges, the nearest last. @param {Pen} paint @param {(point: number[]) => Point} on @param {number[][]} axes */
