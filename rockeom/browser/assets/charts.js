@@ -107,6 +107,11 @@ class Charts {
     );
   }
 
+  /** @param {Pen} paint @param {number} x @param {number} y */
+  tell({ to }, x, y) {
+    write(to, this.groundLabels().join("; "), x, y);
+  }
+
   /** Draw all; sample i is marked. @param {number} i */
   draw(i) {
     this.sample = Math.min(i, this.runner.shown - 1);
@@ -149,13 +154,7 @@ class Charts {
     to.fillStyle = color("blue");
     write(to, this.label(), left, 14);
     to.fillStyle = color("orange");
-    let [x, y] = [left, middle + 17];
-    for (const label of this.groundLabels()) {
-      const room = to.measureText(label).width + 12;
-      if (x > left && x + room > width) [x, y] = [left, y + 14]; // on a narrow screen
-      write(to, label, x, y);
-      x += room;
-    }
+    this.tell(paint, left, middle + 17);
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
     const now = upper.x(i * spacing[0]);

@@ -214,6 +214,17 @@ class ChartsInSpace extends Charts {
     this.low = isNaN(Number(this.menu.value)) ? 0 : -1;
   }
 
+  /** On a narrow screen one label is below the other. @param {Pen} paint @param {number} left @param {number} y */
+  tell({ to, width }, left, y) {
+    let x = left;
+    for (const label of this.groundLabels()) {
+      const room = to.measureText(label).width + 12;
+      if (x > left && x + room > width) [x, y] = [left, y + 14];
+      write(to, label, x, y);
+      x += room;
+    }
+  }
+
   /** @param {string} place @returns {[any, string]} */
   quantity(place) {
     return place === "tilt" ? [this.rotation, "rad"] : super.quantity(place);
