@@ -20,6 +20,8 @@ from rockeom.sweeps.case_numbers import OtherCase
 
 _DATE = re.compile(r"\d+/\d+/")
 """The month and the day of a record, which its name in the library has not."""
+_DRAWN = "shape"
+"""The argument that only pictures take, thousands of numbers of a mesh."""
 _HEAD = "import numpy as np\nimport rockeom as rk\n\n"
 _TAIL = f"""
 run = rk.simulate({{call}}, options=rk.SolverOptions(method="{METHOD}"))
@@ -47,7 +49,7 @@ def _of_function(case: Callable[..., Case], controls: Controls) -> str:
         source, name = "function = ...  # that of the page", "function"
     arguments = [f"{n}={_chosen(control, k)}" for k, (n, control) in enumerate(controls.of.items())]
     made = f"case = {name}({', '.join(arguments)})\n"
-    parts = ("impact", "initial", "duration", "vertical", "mode")
+    parts = ("impact", "initial", "duration", "vertical", "mode", "transverse", "azimuth")
     rest = "".join(f", {part}=case.{part}" for part in parts)
     called = _TAIL.format(call=f"case.structure, case.motion{rest}")
     return f"{_HEAD}{source}\n{made}{called}"
@@ -127,6 +129,7 @@ def _arguments(x: Any) -> str:
     return ", ".join(
         f"{name}={code_of(value)}"
         for name, value in values.items()
+        if name != _DRAWN
         if _is_traced(value) or (value is not defaults.get(name) and value != defaults.get(name))
     )
 

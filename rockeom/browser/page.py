@@ -33,25 +33,34 @@ from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.numbers.checks import InputTypeError
+from rockeom.integrator.schema import in_space
+from rockeom.numbers.checks import InputError, InputTypeError, require
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import legs
+from rockeom.structures.positions import legs, size_of_place
 from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase
 
-ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history")
 MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 MOST_AXES, COARSE = 5, 4
 """Sliders that may be axes of the first map, and values of each at which the fates are compared."""
 _SCRIPTS = (
-    "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
-    "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
-    "tools.js", "page.js",
+    "texts.js", "runtime.js", "views.js", "energy.js", "charts.js", "map.js", "sizes.js",
+    "panel.js", "address.js", "plane.js", "lesson.js", "tools.js", "page.js",
 )  # fmt: skip
+_IN_PLANE = ("drawing.js", "phase.js", "verdict.js")
+_IN_SPACE = ("surface.js", "orbit.js", "scene.js", "lean.js")
+"""Scripts of pages of structures in the plane alone, and in space."""
+_ALONG = (("ground",), ("ground_x", "ground_y"))
+"""Names of the texts of the ground's horizontal components, in the plane and in space."""
+_AZIMUTHS = ("azimuth", "azimuth_degrees")
+_INTENSITIES = ("motion.scale", "amplitude", "pga", "scale")
+MOST_VERTICES = 20000
+"""The most vertices of a surface: the drawing of more takes too long."""
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 _POLICY = (
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
@@ -184,6 +193,11 @@ class Explorer:
             self.controls.places(f"preset {name!r}", values)
         for question in self.questions:
             question.described(self.controls)
+            if question.compare == "peak" and self._spatial:
+                raise InputError("compare", "peak", f"question {question.text!r}").says(
+                    "the structure moves in space, where pages compare no largest rotation: ask "
+                    "whether it overturns, or of impacts"
+                )
         if self.texts:
             _ = self._script
 
@@ -239,6 +253,8 @@ class Explorer:
         """The page as text."""
         page = _asset("page.html")
         data = {"program": _packed(self.module.code), "of": self.description()}
+        if self._spatial:
+            data["surfaces"] = _packed(self._surfaces[1])
         style = _asset("page.css")
         parts = {
             "title": html.escape(self.heading),
@@ -254,8 +270,10 @@ class Explorer:
     @cached_property
     def _script(self) -> str:
         """The scripts of the page, with its texts."""
-        texts, *others = map(_asset, _SCRIPTS)
-        return "\n".join((with_texts(texts, self.texts, self._words()), *others))
+        own = _IN_SPACE if self._spatial else _IN_PLANE
+        texts, *others = map(_asset, (*_SCRIPTS, *own))
+        table = with_texts(texts, self.texts, self._words(), self._spatial)
+        return "\n".join((table, *others))
 
     # --- what a page consists of
 
@@ -325,10 +343,27 @@ class Explorer:
 
     @property
     def _questions(self) -> tuple[str, ...]:
-        """The modules whose entries a page calls; structures without feet have no statics."""
-        feet = self._structure.rocks_on_rigid_ground
-        modules = ["questions"] + ["verdict"] * feet + ["forces"] * self._draws_forces
+        """The modules whose entries a page calls."""
+        more = "space" if self._spatial else "balance"
+        modules = (
+            ["questions", more] + ["verdict"] * self._has_statics + ["forces"] * self._draws_forces
+        )
         return tuple(f"rockeom.browser.{name}" for name in modules)
+
+    @property
+    def _spatial(self) -> bool:
+        return in_space(self._structure.module)
+
+    @property
+    def _has_statics(self) -> bool:
+        """Whether a page tells the acceleration that lifts a foot: in the plane, with feet."""
+        return self._structure.rocks_on_rigid_ground and not self._spatial
+
+    @property
+    def _body(self) -> int:
+        """The place of the body whose lean a page shows: the last one, a column below a slab."""
+        kinds = enumerate(self._structure.module.POSITION_KINDS)
+        return max((i for i, kind in kinds if kind == "body"), default=0)
 
     @property
     def _draws_forces(self) -> bool:
@@ -337,9 +372,9 @@ class Explorer:
 
     def _written(self) -> tuple[Text, ...]:
         """The texts that questions take from the set-up and from the structure."""
-        p, horizontal, vertical = self.setup.sizes
-        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
-        if self._structure.rocks_on_rigid_ground:
+        names = "MOST_P, N_NUMBERS, ROWS_X, ROWS_T, ROWS_Y, BODY"
+        sizes = f"{names} = {', '.join(map(str, (*self.setup.sizes, self._body)))}\n"
+        if self._has_statics:
             m = self._structure.module
             left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
             sizes += f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
@@ -349,8 +384,9 @@ class Explorer:
     @property
     def entries(self) -> tuple[str, ...]:
         """The functions that a page calls: of its texts, statics of feet, forces that it draws."""
-        feet = self._structure.rocks_on_rigid_ground
-        return (*ENTRIES, *["uplift_and_friction"] * feet, *["forces"] * self._draws_forces)
+        feet = self._has_statics
+        own = "leans" if self._spatial else "balance"
+        return (*ENTRIES, own, *["uplift_and_friction"] * feet, *["forces"] * self._draws_forces)
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program.
@@ -362,7 +398,8 @@ class Explorer:
         """
         structure = self._structure
         m = structure.module
-        y = structure.state({})
+        # a round base that lies flat has no state
+        y = self._first.problem().y0 if self._spatial else structure.state({})
         named = isinstance(self.case, OtherCase)  # whose names are those of parameters
         meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True)) if named else {}
         return {
@@ -378,11 +415,14 @@ class Explorer:
                 for name, one in self.controls.of.items() if isinstance(one, Slider)
             ],
             **self._choices(),
-            "numbers": NUMBERS,
+            "numbers": self.setup.sizes[1],
             "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
             "energyUnit": main_units(m)["total_energy"],
             "groundUnit": main_units(m)["ground_acceleration"],
+            "ground": (*_ALONG[self._spatial], "vertical"),
+            "place": size_of_place(m),
+            **({"space": self._in_space()} if self._spatial else {}),
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "elements": m.ELEMENT_NAMES, "copies": m.COPIES, "mostP": self.setup.sizes[0],
@@ -390,6 +430,49 @@ class Explorer:
             "weight": self._assumed_weight(), "axes": self._axes(),
             "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
         }  # fmt: skip
+
+    def _in_space(self) -> dict[str, Any]:
+        """The body, the feet and the surfaces of a structure in space, which its page draws."""
+        m = self._structure.module
+        points = getattr(m, "POINTS", ())
+        feet = points or [n for n, k in zip(m.POSITIONS, m.POSITION_KINDS, strict=True)
+                          if k == "massless"]  # fmt: skip
+        return {
+            "body": self._body, "feet": [m.POSITIONS.index(name) for name in feet],
+            "digits": bool(points), "round": len(feet) < 3, "solids": self._surfaces[0],
+        }  # fmt: skip
+
+    @cached_property
+    def _surfaces(self) -> tuple[list[dict[str, int]], bytes]:
+        """The surfaces of bodies: sizes, and vertices that stay, behind them the faces.
+
+        at : the place in the numbers of a motion of vertices that do not stay, -1 of others.
+        """
+        rows, floats, wholes, at = [], b"", b"", NUMBERS
+        for name, solid in self._structure.solids.items():
+            (n, _), (m, k) = solid.vertices.shape, solid.faces.shape
+            require(
+                n <= MOST_VERTICES,
+                "explorer",
+                "mesh",
+                n,
+                f"simplify it to {MOST_VERTICES} vertices",
+            )
+            varied = name in self.setup.varied
+            place = self._structure.module.POSITIONS.index(name)
+            rows.append(
+                {
+                    "place": place,
+                    "vertices": n,
+                    "faces": m,
+                    "corners": k,
+                    "at": at if varied else -1,
+                }
+            )
+            at += 3 * n * varied
+            floats += b"" if varied else solid.vertices.astype("<f4").tobytes()
+            wholes += solid.faces.astype("<u2").tobytes()
+        return rows, floats + wholes
 
     def _assumed_weight(self) -> list[int] | None:
         """Places of the first mass and of gravity in the parameters, where masses are defaults."""
@@ -401,7 +484,11 @@ class Explorer:
         return [names.index(masses[0]), names.index("gravity")]
 
     def _axes(self) -> tuple[int, ...]:
-        """The sliders of the first map: a pair on which the fate depends most."""
+        """The sliders of the first map: azimuth and intensity, or those on which most depends."""
+        names = [*self.controls.of]
+        own = [n for n in (*_AZIMUTHS, *_INTENSITIES) if n in names]
+        if own and own[0] in _AZIMUTHS and own[-1] in _INTENSITIES:
+            return names.index(own[0]), names.index(own[-1])
         sliders = [i for i, one in enumerate(self.controls.of.values()) if isinstance(one, Slider)]
         pairs = [*itertools.combinations(sliders[:MOST_AXES], 2)]
         return max(pairs, key=self._dependence) if len(pairs) > 1 else (sliders[0], sliders[-1])

@@ -3,23 +3,21 @@
 This text is joined to others, behind the set-up; see `rockeom.browser.page`.
 """
 
-import math
-
 import numpy as np
 
 from rockeom.browser.places import (
-    NUMBERS,
     OF_END,
     OF_FALLEN,
     OF_LAW,
     OF_MODE,
     OF_QUIET,
     OF_RATIO,
+    OF_ROWS_T,
     OF_ROWS_X,
     OF_ROWS_Y,
     OF_SIZE,
 )
-from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
+from rockeom.browser.written import MOST_P, N_NUMBERS, ROWS_T, ROWS_X, ROWS_Y, set_up
 from rockeom.codes import (
     AT_THE_START,
     CAME_TO_REST,
@@ -32,21 +30,18 @@ from rockeom.codes import (
     OVERTURNED,
     STEPS_KEPT,
 )
-from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
+from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, unrolled
 from rockeom.integrator.batches import at_rest, falls
-from rockeom.integrator.ground import ground_acceleration, segment_for
+from rockeom.integrator.ground import ground_acceleration, segment_for, tables
 from rockeom.integrator.loop import SCRATCH, integrate
 from rockeom.integrator.provided import (
-    N_MODES,
+    AXES,
     N_STATES,
     ROTATION,
-    ROTATION_RATE,
     energies,
     positions,
     powers,
     shapes,
-    side_of,
-    statics,
 )
 from rockeom.integrator.records import Case, Recorder
 
@@ -57,12 +52,12 @@ KEPT = 256
 """Steps in a record before it is emptied."""
 
 
-def case_of_page(numbers, end, p, horizontal, vertical, atol):
+def case_of_page(numbers, end, p, horizontal, transverse, vertical, atol):
     """The case that a set-up has written, which lasts until `end` at least."""
     return Case(
         max(numbers[OF_END], end),
         horizontal[0 : int(numbers[OF_ROWS_X])],
-        horizontal[0:0],
+        transverse[0 : int(numbers[OF_ROWS_T])],
         vertical[0 : int(numbers[OF_ROWS_Y])],
         p[0 : int(numbers[OF_SIZE])],
         int(numbers[OF_LAW]), numbers[OF_RATIO], RTOL, atol, np.inf, 0, numbers[OF_FALLEN], 1e-6,
@@ -75,7 +70,7 @@ def ended(code, status, y, case, quiet_from):
     if code != COMPLETED or quiet_from > case.t_end:
         return code
     still = case.horizontal[0:0]
-    free = case._replace(horizontal=still, vertical=still)
+    free = case._replace(horizontal=still, transverse=still, vertical=still)
     if falls(status[MODE], y, free, 0.1 * case.t_end):
         return OVERTURNED
     if at_rest(status[MODE], y, case.p):
@@ -102,18 +97,18 @@ def motion(
     """A motion at equal times: its outcome, or -1 where no way of the set-up is known.
 
     end [s] : until then at least, 0 for the duration of the case.
-    states (n, N), modes (n,), ground (2, n) : at each, the ground horizontal and vertical.
+    states (n, N), modes (n,), ground (k, n) : at each, the ground along its axes.
     impacts (k,) : times of the first ones. spacing (3,) : of the times; how many there are, and of
     impacts that are noted. readings (5,) : whether it overturns, its largest rotation, the number
     of impacts, the time from the first to the third and that of the last; nan where there is none.
     """
-    y, horizontal = np.empty(N_STATES), np.empty((ROWS_X, 7))
+    y, horizontal, transverse = np.empty(N_STATES), np.empty((ROWS_X, 7)), np.empty((ROWS_T, 7))
     vertical, atol, rate = np.empty((ROWS_Y, 7)), np.empty(N_STATES), np.empty(N_STATES)
-    if set_up(sliders, y, p, horizontal, vertical, numbers) < 0:
+    if set_up(sliders, y, p, horizontal, transverse, vertical, numbers) < 0:
         return UNKNOWN_WAY
     status, clock = np.empty(len(AT_THE_START), np.int64), np.empty(4)
     begin(numbers, status, clock, rate, atol)
-    case = case_of_page(numbers, end, p, horizontal, vertical, atol)
+    case = case_of_page(numbers, end, p, horizontal, transverse, vertical, atol)
     n = states.shape[0]
     kept = KEPT if n > 0 else 0  # a motion without samples needs no steps
     steps, step_modes = np.empty((KEPT, 2)), np.empty(KEPT, np.int64)
@@ -152,8 +147,9 @@ def motion(
             elif number == 2:
                 readings[3] = events[i] - first
             number, readings[4] = number + 1, events[i]
-    sample_ground(case.horizontal, between, ground[0])
-    sample_ground(case.vertical, between, ground[1])
+    shaking = tables(case)
+    for axis in unrolled(range(AXES)):
+        sample_ground(shaking[axis], between, ground[axis])
     spacing[0], spacing[1] = between, float(at)
     spacing[2] = float(min(number, impacts.shape[0]))
     code = ended(code, status, y, case, numbers[OF_QUIET])
@@ -167,8 +163,8 @@ def motion(
 def fate(sliders: Floats, end: float, readings: Floats) -> int:
     """The outcome of a motion without samples; end and readings as of `motion`."""
     return motion(
-        sliders, end, np.empty(MOST_P), np.empty(NUMBERS), np.empty((0, N_STATES)),
-        np.empty(0, np.int64), np.empty((2, 0)), np.empty(0), np.empty(3), readings,
+        sliders, end, np.empty(MOST_P), np.empty(N_NUMBERS), np.empty((0, N_STATES)),
+        np.empty(0, np.int64), np.empty((AXES, 0)), np.empty(0), np.empty(3), readings,
     )  # fmt: skip
 
 
@@ -206,16 +202,23 @@ def energy_history(
 ):
     """Energies at the samples of a motion, out (5, n), as `motion` has left it.
 
-    Kinetic, gravitational and elastic energy, each less that upright at rest; work of the ground
-    and of declared forces since the start, by the trapezoidal rule on the samples; and what was
-    lost since then, which is what these leave: at impacts, in dampers and by yielding.
+    Kinetic, gravitational and elastic energy, each less that upright at rest, in space the
+    gravitational one less its lowest; work of the ground and of declared forces since the start, by
+    the trapezoidal rule on the samples; and what was lost since then, which is what these leave: at
+    impacts, in dampers and by yielding.
     """
     energy, rest, power = np.empty(3), np.empty(3), np.empty(3)
     energies(modes[0], np.zeros(N_STATES), p, rest)
+    if AXES == 3:  # where zero coordinates may be below the ground
+        rest[1] = np.inf
+        for i in range(int(spacing[1])):
+            energies(modes[i], states[i], p, energy)
+            rest[1] = min(rest[1], energy[1])
     work, before, start = 0.0, 0.0, 0.0
     for i in range(int(spacing[1])):
         energies(modes[i], states[i], p, energy)
-        powers(modes[i], states[i], p, ground[0, i], ground[1, i], power)
+        shaking = tuple(ground[axis, i] for axis in unrolled(range(AXES)))
+        powers(modes[i], states[i], p, *shaking, power)
         driving, total = power[0] + power[2], 0.0
         for j in range(3):
             out[j, i] = energy[j] - rest[j]
@@ -226,88 +229,3 @@ def energy_history(
             work += 0.5 * spacing[0] * (before + driving)
         before = driving
         out[3, i], out[4, i] = work, start + work - total
-
-
-@entry
-def balance(p: Floats, numbers: Floats, angles: Floats, separatrix: Floats2):
-    """The overturning angles (2,) to the left and right, 0 where none is found.
-
-    separatrix (2, n) : of one coordinate, rotations and the rates there with which a free motion
-    just comes to the overturning angle of its side.
-    """
-    y = np.empty(N_STATES)
-    half = separatrix.shape[1] // 2
-    for k in range(2):
-        side, fallen = 2.0 * k - 1.0, numbers[OF_FALLEN]
-        mode = only_mode(side)
-        angles[k] = 0.0
-        if min(mode, only_mode(0.0)) >= 0 and fallen < np.inf:
-            angles[k] = overturning_angle(mode, side, fallen, y, p)
-        if N_STATES > 2 or angles[k] == 0.0:
-            continue
-        most = potential(mode, side * angles[k], 0.0, y, p)
-        for i in range(half):
-            part = 1.0 - i / (half - 1.0) if k == 0 else i / (half - 1.0)
-            rotation = side * part * min(1.5 * angles[k], fallen)
-            low = potential(mode, rotation, 0.0, y, p)
-            of_rate = potential(mode, rotation, 1.0, y, p) - low
-            at = k * half + i
-            separatrix[0, at] = rotation
-            separatrix[1, at] = math.sqrt(max(most - low, 0.0) / of_rate)
-
-
-def only_mode(side):
-    """The mode on a side, -1 where there is none or elements make several of it."""
-    only = -1
-    for mode in range(N_MODES):
-        if side_of(mode) == side:
-            if only >= 0:
-                return -1
-            only = mode
-    return only
-
-
-def potential(mode, rotation, rate, y, p):
-    """Energy of one coordinate at a rotation and a rate."""
-    energy = np.empty(3)
-    y[ROTATION], y[ROTATION_RATE] = rotation, rate
-    energies(mode, y, p, energy)
-    return energy[0] + energy[1] + energy[2]
-
-
-def overturning_angle(mode, side, fallen, y, p):
-    """The rotation at which nothing drives the structure back, 0 if it is not below `fallen`."""
-    for i in range(N_STATES):
-        y[i] = 0.0
-    low, high, falls = 0.0, 0.0, False
-    for i in range(1, 65):
-        high = fallen * i / 64
-        if side * held_back(mode, side * high, y, p) <= 0.0:
-            falls = True
-            break
-        low = high
-    if not falls:
-        return 0.0
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        if side * held_back(mode, side * middle, y, p) <= 0.0:
-            high = middle
-        else:
-            low = middle
-    return high
-
-
-def held_back(mode, rotation, y, p):
-    """Moment against a rotation, the other coordinates in equilibrium, each in turn by Newton."""
-    lack, ahead = np.empty(N_STATES // 2), np.empty(N_STATES // 2)
-    y[ROTATION] = rotation
-    for _ in range(12):
-        for j in range(N_STATES // 2):
-            if j == ROTATION:
-                continue
-            statics(mode, y, p, 0.0, lack)
-            y[j] += 1e-6
-            statics(mode, y, p, 0.0, ahead)
-            y[j] -= 1e-6 + 1e-6 * lack[j] / (ahead[j] - lack[j])
-    statics(mode, y, p, 0.0, lack)
-    return lack[ROTATION]

@@ -7,6 +7,7 @@ over the ranges of all sliders, the numbers are then compared with those of Pyth
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -23,6 +24,7 @@ from rockeom.browser.places import (
     OF_MODE,
     OF_QUIET,
     OF_RATIO,
+    OF_ROWS_T,
     OF_ROWS_X,
     OF_ROWS_Y,
     OF_SIZE,
@@ -42,15 +44,17 @@ from rockeom.browser.traced import (
     skeleton,
 )
 from rockeom.compiler.modules import Text
-from rockeom.integrator.schema import GeneratedModule, in_space
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import InputError
 from rockeom.simulation.case import Case, Problem
+from rockeom.simulation.ground import COMPONENTS
 
 PLACES = 2048
 """Places of the sliders at which a set-up is compared with Python's."""
 MOST_WAYS = 48
 LONG_TABLE = 8
 """Rows of a ground motion beyond which they are written by a loop."""
+_NONE = np.empty(0)
 NEAR = 1e-12
 """Relative difference that is left by elementary functions of our own."""
 
@@ -61,7 +65,7 @@ class Way:
 
     name: str
     text: str
-    sizes: tuple[int, int, int]
+    sizes: tuple[int, ...]
 
     def compiled(self, controls: int, states: int) -> Callable[[np.ndarray], Numbers | None]:
         """The way as machine code: its numbers, or None for sliders that go another one.
@@ -70,11 +74,9 @@ class Way:
         """
         text = Text(self.name, _HEAD + self.text + _CALLED.format(self.name))
         way = functions((text,))["way_at"]
-        size, horizontal, vertical = self.sizes
-        made = Numbers(
-            np.zeros(states), np.zeros(size), np.zeros((horizontal, 7)), np.zeros((vertical, 7)),
-            np.zeros(NUMBERS),
-        )  # fmt: skip
+        size, numbers, *rows = self.sizes
+        x, t, y = (np.zeros((n, 7)) for n in rows)
+        made = Numbers(np.zeros(states), np.zeros(size), x, t, y, np.zeros(numbers))
         bound = way.bound(np.zeros(controls), *made)
 
         def run(sliders: np.ndarray) -> Numbers | None:
@@ -85,30 +87,43 @@ class Way:
 
 
 class Numbers(NamedTuple):
-    """A problem in arrays, of a text or of Python."""
+    """A problem in arrays, of a text or of Python.
+
+    numbers : see `places`, and the vertices of bodies in space whose surface depends on sliders.
+    """
 
     y: np.ndarray
     p: np.ndarray
     horizontal: np.ndarray
+    transverse: np.ndarray
     vertical: np.ndarray
     numbers: np.ndarray
 
 
 @dataclass(frozen=True)
 class Setup:
-    """The ways of a case. case : of the values of the controls."""
+    """The ways of a case, which is a function of the values of the controls.
+
+    varied : names of the bodies in space whose surface depends on sliders.
+    """
 
     case: Callable[..., Case]
     controls: Controls
     module: GeneratedModule
     ways: list[Way] = field(default_factory=list)
+    varied: list[str] = field(default_factory=list)
     _runs: list[Callable[[np.ndarray], Numbers | None]] = field(default_factory=list)
 
     @property
-    def sizes(self) -> tuple[int, int, int]:
-        """Sizes of arrays that are enough for all ways: of p, and rows of both ground motions."""
-        p, horizontal, vertical = map(max, zip(*(way.sizes for way in self.ways), strict=True))
-        return p, max(horizontal, 1), max(vertical, 1)
+    def sizes(self) -> tuple[int, ...]:
+        """Sizes of arrays that are enough for all ways: p, numbers, rows of the ground motions."""
+        p, numbers, *rows = map(max, zip(*(way.sizes for way in self.ways), strict=True))
+        return (p, numbers, *(max(n, 1) for n in rows))
+
+    def vertices(self, case: Case) -> np.ndarray:
+        """Coordinates of the surfaces that depend on sliders, one after the other."""
+        of = [case.structure.solids[name].vertices.ravel() for name in self.varied]
+        return np.concatenate([*of, np.empty(0)])
 
     @property
     def text(self) -> Text:
@@ -131,7 +146,7 @@ class Setup:
         return None
 
 
-_ARGUMENTS = "sliders, y, p, horizontal, vertical, numbers"
+_ARGUMENTS = "sliders, y, p, horizontal, transverse, vertical, numbers"
 _OWN = ", ".join(f"own_{name}" for name in OWN)
 _HEAD = f"""import math
 
@@ -146,9 +161,10 @@ _CALLED = """
 
 @entry
 def way_at(
-    sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
+    sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, transverse: Floats2,
+    vertical: Floats2, numbers: Floats,
 ) -> int:
-    return {}(sliders, y, p, horizontal, vertical, numbers)
+    return {}(sliders, y, p, horizontal, transverse, vertical, numbers)
 """
 
 
@@ -197,7 +213,8 @@ def _compare(setup: Setup, place: np.ndarray) -> None:
     """
     made, named = setup.numbers(place), setup.controls.named(place)
     try:
-        wanted = setup.case(**named).problem()
+        case = setup.case(**named)
+        wanted = case.problem()
     except (ValueError, ArithmeticError) as error:
         if made is not None:
             raise UntracedError(
@@ -210,18 +227,18 @@ def _compare(setup: Setup, place: np.ndarray) -> None:
         made = setup.numbers(place)
     if made is None:
         raise UntracedError(f"the way that the case goes at {named} is not gone there again")
-    if (wrong := difference(made, wanted)) is not None:
+    if (wrong := difference(made, wanted, setup.vertices(case))) is not None:
         raise UntracedError(
             f"at {named} {wrong} of the page is not that of Python: a number was taken from a "
             "slider in a way that is not recorded"
         )
 
 
-def difference(made: Numbers, wanted: Problem) -> str | None:
+def difference(made: Numbers, wanted: Problem, vertices: np.ndarray = _NONE) -> str | None:
     """The first part of a problem in which two set-ups differ by more than rounding, in words."""
-    p = wanted.p()
-    exact = (wanted.mode, wanted.law, len(wanted.horizontal), len(wanted.vertical), len(p))
-    places = (OF_MODE, OF_LAW, OF_ROWS_X, OF_ROWS_Y, OF_SIZE)
+    p, tables = wanted.p(), (wanted.horizontal, wanted.transverse, wanted.vertical)
+    exact = (wanted.mode, wanted.law, *map(len, tables), len(p))
+    places = (OF_MODE, OF_LAW, OF_ROWS_X, OF_ROWS_T, OF_ROWS_Y, OF_SIZE)
     if tuple(int(made.numbers[i]) for i in places) != exact:
         return "the mode, the impact law or the length of a table"
     ratio = 0.0 if math.isnan(wanted.ratio) else wanted.ratio
@@ -229,8 +246,10 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
     pairs = {
         "the initial state": (made.y, wanted.y0),
         "the parameters": (made.p[: len(p)], p),
-        "the ground motion": (made.horizontal[: len(wanted.horizontal)], wanted.horizontal),
-        "the vertical ground motion": (made.vertical[: len(wanted.vertical)], wanted.vertical),
+        "the ground motion": (made.horizontal[: len(tables[0])], wanted.horizontal),
+        "the transverse ground motion": (made.transverse[: len(tables[1])], wanted.transverse),
+        "the vertical ground motion": (made.vertical[: len(tables[2])], wanted.vertical),
+        "the shape": (made.numbers[NUMBERS : NUMBERS + len(vertices)], vertices),
         "the ratio of the impacts, the bound of overturning or the duration": (
             made.numbers[[OF_RATIO, OF_FALLEN, OF_END, OF_QUIET]], rest,
         ),
@@ -254,10 +273,6 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
         raise InputError("slope", of="explorer").says(
             "a page has level ground: leave {slope} out, and simulate the case in Python"
         )
-    if in_space(case.structure.module):
-        raise InputError("case", of="explorer").says(
-            "the structure moves in space, and pages show the plane: simulate it in Python"
-        )
     try:
         problem = case.problem()
     except UntracedError:
@@ -266,6 +281,9 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
         raise UntracedError(
             f"{case.structure.model} takes a slider in a way that is not recorded: {error}"
         ) from error
+    solids = case.structure.solids
+    setup.varied[:] = [name for name, of in solids.items() if of.vertices.dtype == object]
+    vertices = setup.vertices(case)
     lines = Lines()
     tables = _conditions(lines, list(tape.conditions), number)
     p = [*problem.vector, *problem.table]
@@ -273,20 +291,20 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
         lines.lines.append(f"y[{i}] = {lines.name(node_of(x))}")
     for i, x in enumerate(p):
         lines.lines.append(f"p[{i}] = {lines.name(node_of(x))}")
-    for name in ("horizontal", "vertical"):
+    for name in COMPONENTS:
         tables += _table(lines, name, getattr(problem, name), number)
     ratio = 0.0 if math.isnan(plain(problem.ratio)) else problem.ratio
-    rows = len(problem.horizontal), len(problem.vertical)
+    rows = tuple(len(getattr(problem, name)) for name in COMPONENTS)
     numbers = (
         problem.mode, problem.law, ratio, problem.fallen, problem.end, problem.quiet_from, *rows,
-        len(p),
+        len(p), *vertices,
     )  # fmt: skip
     for i, x in enumerate(numbers):
         lines.lines.append(f"numbers[{i}] = {lines.name(node_of(x))}")
     body = "\n".join(f"    {line}" for line in [*lines.lines, "return 1"])
     name = f"way_{number}"
     head = f"def {name}({_ARGUMENTS}):\n"
-    return Way(name, "".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
+    return Way(name, "".join([*tables, head, body, "\n\n\n"]), (len(p), len(numbers), *rows))
 
 
 def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[str]:
@@ -336,29 +354,46 @@ def _varied(data: np.ndarray, name: str) -> tuple[list[str], list[str]]:
 
 
 def _table(lines: Lines, name: str, table: np.ndarray, number: int) -> list[str]:
-    """Write the lines that fill a ground motion; returns the constants that they read."""
+    """Write the lines that fill a ground motion; returns the constants that they read.
+
+    Rows that follow one another and whose operations are the same are a loop. Raises UntracedError
+    where most of many are not.
+    """
     if len(table) <= LONG_TABLE:
-        for (i, j), x in np.ndenumerate(table):
-            lines.lines.append(f"{name}[{i}, {j}] = {lines.name(node_of(x))}")
-        return []
-    constants, inside = [], []
-    for j, column in enumerate(table.T):
-        text, read = _column(lines, column, f"{name.upper()}_{number}_{j}")
-        constants += read
-        inside.append(f"    {name}[i, {j}] = {text}")
-    lines.lines += [f"for i in range({len(table)}):", *inside]
+        return _rows(lines, name, table, 0)
+    alike = [[_shape(x) for x in row] for row in table]
+    starts = [0, *(i for i in range(1, len(table)) if alike[i] != alike[i - 1]), len(table)]
+    if len(starts) > LONG_TABLE:
+        raise UntracedError("the rows of the ground motion are not all calculated alike")
+    constants = []
+    for start, end in itertools.pairwise(starts):
+        if end - start <= LONG_TABLE:
+            _rows(lines, name, table[start:end], start)
+            continue
+        inside = []
+        for j, column in enumerate(table[start:end].T):
+            text, read = _column(lines, column, f"{name.upper()}_{number}_{start}_{j}")
+            constants += read
+            inside.append(f"    {name}[i{f' + {start}' if start else ''}, {j}] = {text}")
+        lines.lines += [f"for i in range({end - start}):", *inside]
     return constants
+
+
+def _rows(lines: Lines, name: str, table: np.ndarray, start: int) -> list[str]:
+    """Write rows one by one, from number start on; they read no constants."""
+    for (i, j), x in np.ndenumerate(table):
+        lines.lines.append(f"{name}[{start + i}, {j}] = {lines.name(node_of(x))}")
+    return []
+
+
+def _shape(x: Any) -> Any:
+    return skeleton(node_of(x), [])
 
 
 def _column(lines: Lines, column: np.ndarray, name: str) -> tuple[str, list[str]]:
     """A column of many rows, whose operations are the same, as an expression of its row i."""
-    of_rows: list[list[float]] = []
-    shapes = set()
-    for x in column:
-        of_rows.append([])
-        shapes.add(skeleton(node_of(x), of_rows[-1]))
-    if len(shapes) > 1:
-        raise UntracedError("the rows of the ground motion are not all calculated alike")
+    of_rows: list[list[float]] = [[] for _ in column]
+    shapes = {skeleton(node_of(x), row) for x, row in zip(column, of_rows, strict=True)}
     (shape,) = shapes
     texts, constants = _varied(np.array(of_rows), name)
     return _expression(lines, shape, iter(texts)), constants

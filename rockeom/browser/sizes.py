@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rockeom.integrator.schema import in_space
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.sweeps.case_numbers import of_structure, with_numbers
@@ -34,6 +35,8 @@ class Sized:
 
 def can_be_enlarged(structure: Structure) -> bool:
     """Whether the units of all numbers of the structure say how they grow, and one grows."""
+    if in_space(structure.module):
+        return False  # drawings of three sizes are of the plane
     units = [number.unit for number in of_structure(structure).values()]
     return all(unit in POWERS for unit in units) and any(POWERS[unit] for unit in units)
 

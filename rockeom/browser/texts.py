@@ -11,15 +11,20 @@ from rockeom.numbers.checks import InputError, near
 _TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
 
 
-def with_texts(script: str, others: Mapping[str, Any], names: Mapping[str, str]) -> str:
+def with_texts(
+    script: str, others: Mapping[str, Any], names: Mapping[str, str], spatial: bool = False
+) -> str:
     """The script of the texts without comments and indents, with others in its table.
 
-    names : words of the names of sliders, menus, states and presets. Raises ValueError for a text
+    names : words of the names of sliders, menus, states and presets. spatial : whether the page is
+    of space, whose texts are a table within. Raises ValueError for a text
     that the table does not have, and for one that leaves out a place such as {0}.
     """
     source = _TABLE.findall(script)[0]
     table = re.sub(r"(^|[{,] )(\w+):", r'\1"\2":', source, flags=re.MULTILINE)
     own = {**json.loads(re.sub(r",(?=\n\})", "", table)), "names": dict(names)}
+    in_space = own.pop("space", {})
+    own |= in_space if spatial else {}
     text = json.dumps(_changed("texts", own, others)).replace("<", "\\u003c")
     return script.replace(source, text)
 

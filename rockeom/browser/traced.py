@@ -126,6 +126,9 @@ class Traced(Compound):
     def __format__(self, how: str) -> str:
         return format(self.present, how)
 
+    def checked(self) -> float:
+        return self.present
+
     @classmethod
     def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
         """Raises UntracedError for a function that a page has not."""

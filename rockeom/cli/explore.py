@@ -14,7 +14,6 @@ from rockeom.cli.models import dimensions_of, made
 from rockeom.cli.simulate import add_case, case
 from rockeom.cli.text.options import add_pairs
 from rockeom.files import check_target
-from rockeom.integrator.schema import in_space
 from rockeom.modelling.named import class_named
 from rockeom.simulation.case import Case
 from rockeom.sweeps.case_numbers import Number, OtherCase
@@ -72,8 +71,6 @@ def run(args: argparse.Namespace) -> int:
 def _page(args: argparse.Namespace, ranges: Mapping[str, Any]) -> tuple[Any, Mapping[str, Any]]:
     """A case and its sliders; where a full dimension varies, a function that makes the case."""
     one = case(args)
-    if in_space(one.structure.module):
-        raise UsageError(f"{args.name} moves in space, and pages show the plane: take animate")
     full = dimensions_of(class_named(args.name), ranges)
     if not full:
         return one, ranges

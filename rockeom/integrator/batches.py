@@ -27,6 +27,7 @@ from rockeom.integrator.provided import (
     N_GUARDS,
     N_PARTS,
     N_STATES,
+    ROTATION,
     ROTATION_RATE,
     STILL,
     energies,
@@ -39,7 +40,7 @@ from rockeom.integrator.provided import (
     standing,
 )
 from rockeom.integrator.records import Batch, Case, Motions, Recorder
-from rockeom.integrator.tolerances import AT_REST, REST_AFTER_MOTION
+from rockeom.integrator.tolerances import AT_REST, REST_AFTER_MOTION, TURNED_BACK
 
 
 @entry
@@ -70,7 +71,10 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
         free = free._replace(max_impacts=0)
     events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
     event_states, extremes = np.empty((64, 2, N_STATES)), np.empty((2, N_STATES))
-    followed = 0 if rocks else 2  # how it leans between calls is looked at on springs only
+    # free motion of a tilt and a direction is periodic: where it has turned back, it will again
+    wobbles = rocks and AXES == 3 and N_STATES == 4
+    # how it leans between calls is looked at on springs, and where it may pass flat without impact
+    followed = 0 if rocks and not wobbles else 2
     recorder = Recorder(
         np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1)),
         events, event_kinds, event_states, extremes[:followed],
@@ -86,6 +90,7 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
         state[i] = y[i]
     lean = 0.0
     for n in range(1000):
+        before = abs(state[ROTATION])
         for i in range(N_STATES):
             extremes[0, i] = extremes[1, i] = state[i]
         if n == 0:
@@ -95,12 +100,14 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
         free = free._replace(t_end=(n + 1) * reach)
         code = integrate(status, clock, state, rate, free, recorder, scratch)
         leaning, leans = leans_most(extremes, case.fallen, case.p)
-        upright = extremes[0, leaning] < 0.0 < extremes[1, leaning]
+        upright = extremes[0, leaning] < 0.0 < extremes[1, leaning] and not wobbles
         if BENT:
             leans, upright = tilt_of(state, case.p), False
         if code == OVERTURNED and not upright:
             return True
         if code not in (COMPLETED, FULL):
+            return False
+        if wobbles and leans > (1.0 + TURNED_BACK) * max(before, abs(state[ROTATION])):
             return False
         if not rocks:
             if upright or (n > 0 and leans <= lean):

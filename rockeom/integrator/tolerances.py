@@ -159,6 +159,8 @@ STEADY = 1e-9
 FADED = 1e-13
 # In units of sqrt(l/a): the rest tolerance of a motion that is followed on after the ground rests.
 REST_AFTER_MOTION = 1e-6
+# Relative to a tilt: a free motion that leaned so much further than at its ends has turned back.
+TURNED_BACK = 1e-6
 # Relative to the weight's potential energy: a structure at rest has less kinetic energy.
 AT_REST = 1e-9
 # In parts of a step: parts of a polynomial are halved down to it, 43 times.

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import functools
-import math
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, number
-from rockeom.numbers.dual import value_of
+from rockeom.numbers.functions import checked, mathematics
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, cylinder
 
@@ -89,7 +88,7 @@ class RollingCylinder(StructureWithFields):
                 "None, for a rim that rolls without slip, or 0, for a smooth one: a rim that slips "
                 "with friction is not modelled"
             )
-        values = {name: value_of(x) for name, x in self.parameters().items()}
+        values = {name: checked(x) for name, x in self.parameters().items()}
         across, along = values["inertia_across"], values["inertia_along"]
         if along > 2.0 * across * (1.0 + 1e-9):
             raise InputError("inertia_along", along, "RollingCylinder").wrong(
@@ -178,14 +177,14 @@ class RollingCylinder(StructureWithFields):
             raise InputError("tilt", tilt, "on_rim").give(
                 f"an angle above zero, where a point of the rim is the lowest, and below {_FALLEN}"
             )
-        s, c = math.sin(tilt), math.cos(tilt)
-        s_d, c_d = math.sin(direction - yaw), math.cos(direction - yaw)
-        pitch, roll = math.atan2(s * c_d, c), -math.asin(s * s_d)
+        s, c = mathematics.sin(tilt), mathematics.cos(tilt)
+        s_d, c_d = mathematics.sin(direction - yaw), mathematics.cos(direction - yaw)
+        pitch, roll = mathematics.atan2(s * c_d, c), -mathematics.asin(s * s_d)
         # the angular velocity in axes that have turned by the yaw
         along_x = given["spin"] * s * c_d - tilt_rate * s_d
         along_y = given["spin"] * s * s_d + tilt_rate * c_d
-        roll_rate = along_x / math.cos(pitch)
-        turning = precession + given["spin"] * c + roll_rate * math.sin(pitch)
+        roll_rate = along_x / mathematics.cos(pitch)
+        turning = precession + given["spin"] * c + roll_rate * mathematics.sin(pitch)
         angles = {"yaw": yaw, "pitch": pitch, "roll": roll}
         return angles | {"yaw_dot": turning, "pitch_dot": along_y, "roll_dot": roll_rate}
 

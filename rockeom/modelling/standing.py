@@ -17,6 +17,7 @@ from rockeom.modelling.mesh import read_body, surface_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
+from rockeom.numbers.functions import checked
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, box, solid
 
@@ -37,7 +38,7 @@ class _StandingBody(StructureWithFields):
 
 def _slips(kind: str, friction: float | None, restitution: float) -> str:
     """The word for how feet slip; raises InputError for numbers out of their ranges."""
-    if not 0 <= value_of(restitution) <= 1:
+    if not 0 <= checked(restitution) <= 1:
         raise InputError("restitution", restitution, kind).give("a ratio of rates, 0 to 1")
     if friction is None:
         return "never"
@@ -147,9 +148,9 @@ class Prism(_StandingBody):
     def __post_init__(self) -> None:
         values, b, c = self.parameters(), self.width / 2, self.depth / 2
         moments = [values[f"inertia_{axis}{axis}"] for axis in "xyz"]
-        check_tensor("Prism", np.diag(value_of(np.array(moments))))
+        check_tensor("Prism", np.diag(checked(np.array(moments))))
         corners = [(i * b - self.offset_x, j * c - self.offset_y) for i in (-1, 1) for j in (-1, 1)]
-        _check_base("Prism", value_of(np.array(corners)))
+        _check_base("Prism", checked(np.array(corners)))
         _slips("Prism", self.friction, self.restitution)
 
     @property
@@ -330,12 +331,12 @@ class LeggedStatue(_StandingBody):
         for name, place in feet.items():
             _check_numbers("LeggedStatue", f"foot {name!r}", place, 2)
         _check_numbers("LeggedStatue", "centroid", self.centroid, 3)
-        check_tensor("LeggedStatue", value_of(np.array(self.inertia)))
+        check_tensor("LeggedStatue", checked(np.array(self.inertia)))
         rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
         object.__setattr__(self, "inertia", rows)
         object.__setattr__(self, "shape", surface_of(self.shape, "LeggedStatue"))
         object.__setattr__(self, "feet", tuple((name, tuple(at)) for name, at in feet.items()))
-        _check_base("LeggedStatue", value_of(np.array([at for _, at in self._arms])))
+        _check_base("LeggedStatue", checked(np.array([at for _, at in self._arms])))
         _slips("LeggedStatue", self.friction, self.restitution)
 
     @functools.cached_property
@@ -366,7 +367,7 @@ class LeggedStatue(_StandingBody):
 def _check_numbers(kind: str, name: str, values: Any, length: int) -> None:
     """Raise InputError for anything but so many finite numbers."""
     try:
-        numbers = value_of(np.array(values)).astype(float)
+        numbers = checked(np.array(values)).astype(float)
     except (TypeError, ValueError):
         numbers = np.empty(0)
     if numbers.shape != (length,) or not np.isfinite(numbers).all():

@@ -15,8 +15,7 @@ from rockeom.modelling.standing import check_tensor
 from rockeom.motion.segments import C1, END, KIND, LINEAR, START, acceleration
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError
-from rockeom.numbers.dual import directions, value_of
-from rockeom.numbers.functions import mathematics
+from rockeom.numbers.functions import checked, mathematics
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, box, cylinder
 
@@ -83,15 +82,15 @@ class _RollingColumns(StructureWithFields):
 
     def _first_push(self, ground: Any) -> np.ndarray | None:
         """Accelerations (3,) of the ground as the column first lifts; None where it never does."""
-        if directions(*ground.tables, self.vector):
-            raise InputError("direction").says(
-                "the direction in which it first leans has no derivative: name the initial "
-                "direction, or start from a tilt"
-            )
-        # where cases are handled as one, those whose ground or size differ are told apart here
-        tables = [np.asarray(table, dtype=float) for table in ground.tables]
         names = ("radius", "centroid_height", "gravity")
-        radius, height, gravity = (float(self.parameters()[name]) for name in names)
+        try:  # where cases are handled as one, those whose ground or size differ are told apart
+            tables = [np.asarray(table, dtype=float) for table in ground.tables]
+            radius, height, gravity = (float(self.parameters()[name]) for name in names)
+        except TypeError as error:
+            raise InputError("direction").says(
+                "the direction in which it first leans has no derivative, and follows no slider: "
+                "name the initial direction, or start from a tilt"
+            ) from error
 
         def shaking(t: np.ndarray) -> np.ndarray:
             return np.array([_at(table, t) for table in tables])
@@ -206,9 +205,9 @@ class WobblingColumn(_RollingColumns):
     def __post_init__(self) -> None:
         values = self.parameters()
         across, along = values["inertia_xx"], values["inertia_zz"]
-        moments = value_of(np.array([across, across, along]))
+        moments = checked(np.array([across, across, along]))
         check_tensor("WobblingColumn", np.diag(moments))
-        if value_of(values["centroid_height"]) > value_of(self.height):
+        if checked(values["centroid_height"]) > checked(self.height):
             raise InputError("centroid_height", self.centroid_height, "WobblingColumn").give(
                 f"a height above the base of at most its own, {self.height:g} m"
             )

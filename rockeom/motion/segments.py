@@ -301,7 +301,7 @@ def begun_later(segments: np.ndarray, late: np.ndarray) -> np.ndarray:
 
     Raises ValueError as `cut` does.
     """
-    rows, kind = segments.copy(), segments[:, KIND]
+    rows, kind = segments.astype(np.result_type(segments, late)), segments[:, KIND]
     if (late[kind == MAVROEIDIS_PAPAGEORGIOU] > 0.0).any():
         raise ValueError("a Mavroeidis-Papageorgiou pulse has no end without its beginning")
     rows[:, C0] += np.where(kind == LINEAR, rows[:, C1] * late, 0.0)

@@ -166,6 +166,9 @@ class Dual(Compound):
     def __format__(self, how: str) -> str:
         return format(self.value, how)
 
+    def checked(self) -> float:
+        return float(self.value)
+
     def __bool__(self) -> bool:
         return bool(self.value != 0.0)
 

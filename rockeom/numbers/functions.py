@@ -76,6 +76,16 @@ class Compound:
         """
         return self
 
+    def checked(self) -> Any:
+        """Its plain number, for a check that raises or changes nothing.
+
+        Returns
+        -------
+        object
+            Number.
+        """
+        return self
+
     @classmethod
     def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
         """Function of `math`, `operator` or NumPy where an argument is of this class.
@@ -172,6 +182,14 @@ def _of_compounds(plain: Callable[..., Any]) -> Callable[..., Any]:
 
 
 mathematics = _Mathematics()
+
+
+def checked(x: Any) -> Any:
+    """An array without what is behind its numbers, for a check that raises or changes nothing."""
+    if not (isinstance(x, np.ndarray) and x.dtype == object):
+        return x.checked() if isinstance(x, Compound) else x
+    plain = [element.checked() if isinstance(element, Compound) else element for element in x.flat]
+    return np.array(plain).reshape(x.shape)
 
 
 def isfinite(x: Any) -> Any:

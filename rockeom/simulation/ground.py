@@ -12,6 +12,8 @@ from rockeom.integrator.schema import ground_axes
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import END
 from rockeom.motion.slope import SLOPE, seen_from, tables_at, tables_on, turned, weight_on
+from rockeom.numbers.batch import Many
+from rockeom.numbers.dual import Dual
 from rockeom.structures.evaluation import gravity_of
 
 STILL = np.empty((0, 7))
@@ -99,7 +101,7 @@ def ground_of(case: Any) -> Ground:
 
 def _is_none(angle: Any) -> bool:
     """Whether an angle turns nothing; one of zero that has derivatives does."""
-    return type(angle) is float and angle == 0.0
+    return not isinstance(angle, Dual | Many) and bool(angle == 0.0)
 
 
 def rows_after(table: np.ndarray) -> np.ndarray:

@@ -153,23 +153,27 @@ def solid(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> Solid:
     """
     most = max(map(len, faces))
     rows = np.array([[*face, *[face[-1]] * (most - len(face))] for face in faces])
-    return Solid(np.asarray(vertices, float), rows)
+    places = np.asarray(vertices)
+    return Solid(places if places.dtype == object else places.astype(float), rows)
 
 
 def box(width: float, depth: float, height: float, centre: Sequence[float] = (0, 0, 0)) -> Solid:
     """Box; centre : its middle, from the centroid of the body [m]."""
-    half, middle = np.array([width, depth, height]) / 2, np.array(centre, dtype=float)
+    half, middle = np.array([width, depth, height]) / 2, np.array(centre)
     signs = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     base = middle + half * [(*xy, -1) for xy in signs]
     return prismatic(base, middle + half * [(*xy, 1) for xy in signs])
 
 
 def cylinder(
-    radius: float, height: float, top_radius: float | None = None, centroid_height: float = np.nan
+    radius: float,
+    height: float,
+    top_radius: float | None = None,
+    centroid_height: float | None = None,
 ) -> Solid:
     """Round column, or a frustum of one; half of the height if no height of the centroid is."""
     at = 2 * np.pi * np.arange(_SIDES) / _SIDES
-    below = height / 2 if np.isnan(centroid_height) else centroid_height
+    below = height / 2 if centroid_height is None else centroid_height
     ring = np.column_stack([np.cos(at), np.sin(at), 0 * at])
     top = radius if top_radius is None else top_radius
     return prismatic(radius * ring - [0, 0, below], top * ring + [0, 0, height - below])

@@ -7,14 +7,28 @@ const test = require("node:test");
 const vm = require("vm");
 
 const ASSETS = path.join(__dirname, "../../rockeom/browser/assets");
-const scripts = ["texts", "views", "panel", "address", "lesson", "map"];
+const scripts = ["texts", "views", "panel", "address", "lesson", "map", "surface", "charts", "lean"];
 const context = vm.createContext({ self: {}, URLSearchParams });
-const names = "accept, few, fill, kindOf, named, quantity, roundStep, short, ticks, truth, within";
+const names =
+  "Lean, Surface, accept, covers, few, fill, hull, kindOf, lowest, named, quantity, roundStep, short, ticks, truth, within";
 const text = scripts.map((name) => fs.readFileSync(path.join(ASSETS, `${name}.js`), "utf8")).join("\n");
-const { accept, few, fill, kindOf, named, quantity, roundStep, short, ticks, truth } = vm.runInContext(
-  `${text}; ({ ${names} })`,
-  context,
-);
+const {
+  Lean,
+  Surface,
+  accept,
+  covers,
+  few,
+  fill,
+  hull,
+  kindOf,
+  lowest,
+  named,
+  quantity,
+  roundStep,
+  short,
+  ticks,
+  truth,
+} = vm.runInContext(`${text}; ({ ${names} })`, context);
 const plain = (value) => JSON.parse(JSON.stringify(value));
 
 function page() {
@@ -90,4 +104,69 @@ test("numbers have few digits, and their units", () => {
 test("ticks and steps are round", () => {
   assert.deepEqual(plain(ticks([-0.3, 0.3], 3)), [-0.2, 0, 0.2]);
   assert.equal(roundStep(0.35), 0.001);
+});
+
+// a box of 2 by 4 by 6 m about its centroid, faces counter-clockwise from outside
+const BOX = [-1, 1].flatMap((z) =>
+  [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ].map(([x, y]) => [x, 2 * y, 3 * z]),
+);
+const SIDES = [0, 1, 2, 3].map((i) => [i, (i + 1) % 4, 4 + ((i + 1) % 4), 4 + i]);
+const FACES = [...SIDES, [3, 2, 1, 0], [4, 5, 6, 7]];
+
+test("faces of a box look outward, and all its edges are creases", () => {
+  const solid = { place: 0, vertices: 8, faces: 6, corners: 4, at: -1 };
+  const surface = new Surface(solid, Float64Array.from(BOX.flat()), Uint16Array.from(FACES.flat()));
+  surface.shape();
+  assert.deepEqual(plain(surface.normals), [
+    [0, -1, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [-1, 0, 0],
+    [0, 0, -1],
+    [0, 0, 1],
+  ]);
+  assert.equal(surface.edges.length, 12);
+  assert.ok(surface.edges.every(({ sharp, of }) => sharp && of.length === 2));
+  assert.deepEqual(plain(lowest(surface.points)), BOX.slice(0, 4));
+});
+
+test("the hull of points seen from above goes around them, without those within", () => {
+  const around = hull([...BOX, [0, 0, 0], [0.5, -1, 0]]).map(([x, y]) => [x, y]);
+  assert.deepEqual(plain(around), [
+    [-1, -2],
+    [1, -2],
+    [1, 2],
+    [-1, 2],
+  ]);
+});
+
+test("a face covers what is behind it, not what is before or beside it", () => {
+  const points = [
+    [0, 10],
+    [10, 10],
+    [10, 0],
+    [0, 0],
+  ]; // the picture has y downwards
+  const face = { points, depths: [1, 3, 3, 1] };
+  assert.equal(covers(face, [5, 5], 1.9), true);
+  assert.equal(covers(face, [5, 5], 2.1), false);
+  assert.equal(covers(face, [12, 5], 0), false);
+});
+
+test("a body overturns where its centroid is above the farthest foot, a round one at one tilt", () => {
+  const space = { round: false };
+  const lean = new Lean({ runner: { of: { space } } });
+  const [b, c, h] = [0.25, 0.35, 1.5];
+  lean.arms = [-1, 1].flatMap((x) => [-1, 1].map((y) => [x * b, y * c, -h]));
+  for (const d of [0, 0.7, 2, 4, 5.5]) {
+    const right = Math.atan((b * Math.abs(Math.cos(d)) + c * Math.abs(Math.sin(d))) / h);
+    assert.ok(Math.abs(lean.barrier(Math.cos(d), Math.sin(d)) - right) < 1e-15);
+  }
+  space.round = true;
+  assert.ok(Math.abs(lean.barrier(1, 0) - Math.atan(Math.hypot(b, c) / h)) < 1e-15);
 });

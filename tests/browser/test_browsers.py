@@ -21,6 +21,10 @@ PAGES = {
         ),
         {"friction": (0.1, 0.6), "amplitude": (0.5, 8.0)},
     ),
+    "prism": rk.explorer(
+        rk.Case(rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2e3), PULSE, azimuth=0.5),
+        {"azimuth": (0.0, 1.5), "amplitude": (0.5, 8.0)},
+    ),
 }
 
 

@@ -150,7 +150,7 @@ def test_jupyter_shows_it_in_a_frame_without_a_network(page):
 
 
 def test_program_exports_what_a_page_calls(page):
-    assert set(page.description()["entries"]) == {*ENTRIES, "uplift_and_friction"}
+    assert set(page.description()["entries"]) == {*ENTRIES, "balance", "uplift_and_friction"}
 
 
 def test_a_page_waits_for_no_large_library():

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import rockeom as rk
-from rockeom.browser.page import _SCRIPTS, _asset
+from rockeom.browser.page import _IN_PLANE, _IN_SPACE, _SCRIPTS, _asset
 
 HERE = Path(__file__).parent
 ASSETS = Path(rk.__file__).parent / "browser" / "assets"
@@ -41,15 +41,17 @@ def test_functions_of_the_scripts_by_node():
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
-def test_script_of_a_page_is_whole_without_its_comments():
-    script = "\n".join(map(_asset, _SCRIPTS))
+@pytest.mark.parametrize("own", [_IN_PLANE, _IN_SPACE], ids=["in the plane", "in space"])
+def test_script_of_a_page_is_whole_without_its_comments(own):
+    script = "\n".join(map(_asset, (*_SCRIPTS, *own)))
     assert not re.search(r"^\s*(//|\*|/\*\*.*\*/$)", script, re.MULTILINE)
     ran = subprocess.run(["node", "--check", "-"], input=script, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stderr
 
 
 def test_scripts_are_those_of_a_page_and_of_a_widget():
-    assert sorted((*_SCRIPTS, "widget.js")) == sorted(path.name for path in ASSETS.glob("*.js"))
+    scripts = (*_SCRIPTS, *_IN_PLANE, *_IN_SPACE, "widget.js")
+    assert sorted(scripts) == sorted(path.name for path in ASSETS.glob("*.js"))
 
 
 def test_page_has_no_text_of_its_own():

@@ -154,7 +154,7 @@ import rockeom as rk
 rk.simulate(rk.RigidBlock(half_width=0.3, half_height=1.0), rk.GroundMotion.single_sine(5.0, 0.5))
 for package in ("structures", "simulation", "sweeps", "browser", "exports", "codegen"):
     for module in pkgutil.iter_modules(importlib.import_module(f"rockeom.{package}").__path__):
-        if module.name not in ("forces", "questions", "verdict"):  # of the browser
+        if module.name not in ("balance", "forces", "questions", "space", "verdict"):  # of pages
             importlib.import_module(f"rockeom.{package}.{module.name}")
 own = {m for m in sys.modules if m.startswith("rockeom.integrator.")}
 print(*sorted(m.removeprefix("rockeom.integrator.") for m in own))

@@ -599,8 +599,6 @@ def test_sweep_and_assess_turn_the_structure(folder, tmp_path, capsys):
         ("assess prism SET --records El Centro 1940 180 --pga 0.3g", "takes two: add the other"),
         ("assess rigid_block BLOCK --records El Centro 1940 180 --azimuths 4",
          "it moves in a plane: leave them out"),
-        ("explore prism SET --free --duration 2 --vary width=0.4..0.6 --out page.html",
-         "pages show the plane"),
     ],
 )  # fmt: skip
 def test_commands_say_what_to_type_instead(words, said, capsys):

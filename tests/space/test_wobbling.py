@@ -375,3 +375,25 @@ def test_a_column_of_no_known_shape_is_drawn_by_its_axis():
     np.testing.assert_allclose(axis.get_xydata()[1, 1], 0.0, atol=1e-12)
     assert len(run.animate(end=0.1)) == 3
     assert "tilt" in run.plot().axes[0].get_ylabel()
+
+
+def test_a_column_falls_after_the_motion_where_its_energy_is_above_that_at_any_tilt_ahead():
+    """Energy and moment of momentum about the vertical stay: a potential of the tilt is left."""
+    p = COLUMN.parameters()
+    tilts = np.linspace(1e-4, 1.2, 20000)
+    s, c = np.sin(tilts), np.cos(tilts)
+    across = (p["mass"] * (p["radius"] * (1 - c) + p["centroid_height"] * s) ** 2
+              + p["inertia_xx"] * s**2 + p["inertia_zz"] * (1 - c) ** 2)  # fmt: skip
+    lift = p["mass"] * GRAVITY * (p["radius"] * s + p["centroid_height"] * c)
+    rng, fell = np.random.default_rng(5), 0
+    for _ in range(40):
+        at = {"tilt": rng.uniform(0.02, 0.2), "tilt_dot": rng.uniform(-0.6, 0.6)}
+        at["direction_dot"] = rng.uniform(0.05, 3.0)
+        energies = COLUMN.energies(at)
+        momentum = at["direction_dot"] * np.interp(at["tilt"], tilts, across)
+        ahead = (lift + momentum**2 / (2 * across))[tilts >= at["tilt"]].max()
+        above = energies["kinetic_energy"] + energies["gravitational_energy"] - ahead
+        run = rk.simulate(COLUMN, rk.GroundMotion.none(1e-3), initial=at)
+        assert (run.outcome.value == "overturned") == (above > 0.0), (at, above)
+        fell += above > 0.0
+    assert 5 < fell < 35

@@ -3,8 +3,6 @@
 
 /** @typedef {[number, number]} Point */
 
-/** Time for which an impact flashes [s]. */
-const FLASH = 0.15;
 /** Part of the size of a structure below which a foot is on the ground. */
 const ON_GROUND = 1e-6;
 
@@ -121,7 +119,7 @@ class Sketch {
     to.strokeStyle = color("blue");
     to.lineWidth = 1.5;
     for (const [body, foot] of of.legs) line(to, on(this.place(body)), on(this.place(foot)));
-    const flash = this.flash(i);
+    const flash = this.runner.flash(i);
     of.kinds.forEach((/** @type {string} */ kind, /** @type {number} */ k) => {
       const at = this.place(k);
       if (kind === "body") {
@@ -166,37 +164,6 @@ class Sketch {
     const to = this.point(end, x2, y2);
     return [from, to, this.point(start, x, y + Math.hypot(to[0] - from[0], to[1] - from[1]) / 2)];
   }
-
-  /** Part of the flash of the last impact that is over, 1 where there was none. @param {number} i */
-  flash(i) {
-    const { impacts, spacing } = this.runner;
-    const time = i * spacing[0];
-    const last = impacts
-      .subarray(0, spacing[2])
-      .filter((x) => x <= time)
-      .at(-1);
-    return last === undefined ? 1 : Math.min((time - last) / FLASH, 1);
-  }
-}
-
-/**
- * A foot: filled where it is on the ground, a pivot; a ring leaves it at an impact.
- * @param {CanvasRenderingContext2D} to @param {(name: string) => string} color @param {Point} at
- * @param {boolean} closed @param {number} flash
- */
-function foot(to, color, [x, y], closed, flash) {
-  to.lineWidth = 1.5;
-  to.strokeStyle = color(closed ? "orange" : "ink");
-  to.fillStyle = color(closed ? "orange" : "paper");
-  disc(to, x, y, closed ? 5 : 3.5);
-  to.fill();
-  to.stroke();
-  if (!closed || flash >= 1) return;
-  to.globalAlpha = 1 - flash;
-  to.lineWidth = 3;
-  disc(to, x, y, 6 + 16 * flash);
-  to.stroke();
-  to.globalAlpha = 1;
 }
 
 /** Lines of members, of points one after the other: along the member, 0 to 1, and across it [px]. @type {Record<string, number[][]>} */
@@ -237,4 +204,10 @@ function member(to, kind, a, b, towards) {
   else to.lineTo(...b);
   to.stroke();
   to.setLineDash([]);
+}
+
+/** The views of the plane. @param {Explorer} page */
+function inPlane(page) {
+  page.sketch = new Sketch(by("structure"), page.runner);
+  return new Charts(by("history"), new Portrait(by("phase")), page.runner);
 }

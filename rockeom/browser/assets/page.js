@@ -18,8 +18,10 @@ class Explorer {
     /** @type {number[]} of the inputs, and of the size where the program has one */
     this.values = [...of.start];
     this.runner = new Runner(module, of);
-    this.sketch = new Sketch(by("structure"), this.runner);
-    this.charts = new Charts(by("history"), by("phase"), this.runner);
+    /** @type {any} of the plane or of space */
+    this.sketch = undefined;
+    /** @type {Charts} */
+    this.charts = of.space ? inSpace(this) : inPlane(this);
     this.sizes = new Sizes(this.sketch, module, of, () => this.move());
     this.map = new OutcomeMap(by("map"), module, of);
     this.panel = new Panel(this);
@@ -76,9 +78,9 @@ class Explorer {
     const end = Math.max(this.runner.end, this.sizes.take(this));
     by("time").max = String(end);
     this.time = Math.min(this.time, end);
-    this.sketch.measure();
+    this.moved = this.displacement(0);
+    this.sketch.measure(this);
     this.sketch.describe(this.sizes.on ? this.sizes.sentence() : this.sentence());
-    this.moved = this.displacement();
     this.redraw();
   }
 
@@ -88,9 +90,10 @@ class Explorer {
     remember(this);
   }
 
-  /** Displacement of the ground at each sample [m], by the trapezoidal rule, twice. */
-  displacement() {
-    const { ground, spacing } = this.runner;
+  /** Displacement of the ground along an axis at each sample [m], by the trapezoidal rule, twice. @param {number} axis */
+  displacement(axis) {
+    const { spacing } = this.runner;
+    const ground = this.runner.ground.subarray(axis * SAMPLES);
     const moved = new Float64Array(SAMPLES);
     let speed = 0;
     for (let i = 1; i < SAMPLES; i++) {
@@ -110,13 +113,7 @@ class Explorer {
     const most = quantity(Math.abs(peak(charts.rotation)), of.stateUnits[of.rotation]);
     const [, , number] = runner.readings;
     const impacts = number === 1 ? TEXTS.impact : fill(TEXTS.impacts, number);
-    return fill(
-      TEXTS.summary,
-      outcomeWord(of.outcomes[this.outcome]),
-      words(of.states[of.rotation]),
-      most,
-      impacts,
-    );
+    return fill(TEXTS.summary, outcomeWord(of.outcomes[this.outcome]), charts.name, most, impacts);
   }
 
   /** Tell a screen reader what there is to read, once the values rest. */
@@ -211,6 +208,7 @@ async function start() {
   translate();
   const data = JSON.parse(by("data").textContent);
   const module = await WebAssembly.compile(await unpacked(data.program));
+  if (data.surfaces) data.of.surfaces = await unpacked(data.surfaces);
   return new Explorer(module, data.of);
 }
 

@@ -2,10 +2,11 @@
 // The phase portrait: the rate over the rotation, and the separatrix of free motion.
 
 class Portrait {
-  /** @param {HTMLCanvasElement} canvas @param {Charts} charts */
-  constructor(canvas, charts) {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
     this.canvas = canvas;
-    this.charts = charts;
+    /** @type {any} that take it */
+    this.charts = undefined;
   }
 
   describe() {
@@ -28,7 +29,9 @@ class Portrait {
     const angle = Math.max(...runner.angles);
     if (!this.separated || most < NEAR_OVERTURNING * angle) return [1.1 * most, 1.1 * fastest];
     const reached = Math.min(1.1 * Math.max(most, angle), FARTHEST_RATIO * angle);
-    const near = rate.filter((_, i) => Math.abs(rotation[i]) <= reached);
+    const near = rate.filter(
+      (/** @type {number} */ _, /** @type {number} */ i) => Math.abs(rotation[i]) <= reached,
+    );
     const separatrix = Math.abs(peak(runner.separatrix.subarray(runner.separatrix.length / 2)));
     return [reached, 1.1 * Math.max(Math.abs(peak(near)), separatrix)];
   }

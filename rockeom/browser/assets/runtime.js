@@ -73,6 +73,8 @@ class Program {
   }
 }
 
+/** Time for which an impact flashes [s]. */
+const FLASH = 0.15;
 /** Samples of a motion. */
 const SAMPLES = 4801;
 const IMPACTS = 2000;
@@ -84,17 +86,18 @@ class Runner {
     const program = new Program(module, of);
     const n = of.states.length;
     this.of = of;
+    this.program = program;
     this.sliders = program.floats([of.start.length]);
     this.p = program.floats([of.mostP]);
     this.numbers = program.floats([of.numbers]);
     this.states = program.floats([SAMPLES, n]);
     this.modes = program.wholes([SAMPLES]);
-    this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
+    this.ground = program.floats([of.ground.length, SAMPLES]); // the vertical one last
     this.impacts = program.floats([IMPACTS]);
     this.spacing = program.floats([3]);
     this.readings = program.floats([5]); // of questions
     this.y = program.floats([n]);
-    this.places = program.floats([3 * of.positions.length]);
+    this.places = program.floats([of.place * of.positions.length]);
     this.forces = program.floats([4 * of.elements.length]); // deformation, force, energy, loss
     this.corners = program.floats([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
     this.energies = program.floats([5, SAMPLES]); // kinetic, gravitational, elastic; put in, lost
@@ -104,7 +107,7 @@ class Runner {
     const given = { sliders, end: 0, readings: this.readings };
     this.motion = program.bind("motion", { ...given, p, numbers, states, modes, ground, impacts, spacing });
     this.fate = program.bind("fate", given);
-    this.balance = program.bind("balance", { p, numbers, angles, separatrix });
+    if (of.entries.balance) this.balance = program.bind("balance", { p, numbers, angles, separatrix });
     /** The static uplift acceleration, and the friction that sliding first needs; of feet alone. */
     this.statics = program.floats([2]);
     if (of.entries.uplift_and_friction)
@@ -145,6 +148,17 @@ class Runner {
   /** The last sample before a time. @param {number} time */
   sample(time) {
     return Math.min(Math.floor(time / this.spacing[0]), this.shown - 1);
+  }
+
+  /** Part of the flash of the last impact that is over, 1 where there was none. @param {number} i */
+  flash(i) {
+    const { impacts, spacing } = this;
+    const time = i * spacing[0];
+    const last = impacts
+      .subarray(0, spacing[2])
+      .filter((x) => x <= time)
+      .at(-1);
+    return last === undefined ? 1 : Math.min((time - last) / FLASH, 1);
   }
 
   /** Places of bodies and feet at a sample. @param {number} i */

@@ -45,13 +45,19 @@ async function copy(id, text) {
 function csv({ runner, of }) {
   const { states, ground, spacing } = runner;
   const n = of.states.length;
+  /** @type {string[]} */
+  const axes = of.ground.slice(0, -1);
   const names = of.states.map(
     (/** @type {string} */ s, /** @type {number} */ j) => `${s} [${of.stateUnits[j]}]`,
   );
   const rows = Array.from({ length: runner.shown }, (_, i) =>
-    [i * spacing[0], ...states.subarray(i * n, (i + 1) * n), ground[i]].join(","),
+    [
+      i * spacing[0],
+      ...states.subarray(i * n, (i + 1) * n),
+      ...axes.map((_, k) => ground[k * SAMPLES + i]),
+    ].join(","),
   );
-  return [["t [s]", ...names, "ground [m/s2]"].join(","), ...rows].join("\n");
+  return [["t [s]", ...names, ...axes.map((name) => `${name} [m/s2]`)].join(","), ...rows].join("\n");
 }
 
 /** The whole page on a canvas, as an image of its elements. */

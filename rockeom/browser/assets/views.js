@@ -58,6 +58,26 @@ function write(to, text, x, y, align = "left") {
   to.fillText(text, x, y);
 }
 
+/**
+ * A foot: filled where it is on the ground, a pivot; a ring leaves it at an impact.
+ * @param {CanvasRenderingContext2D} to @param {(name: string) => string} color @param {Point} at
+ * @param {boolean} closed @param {number} flash @param {string} [shade] of what fills it
+ */
+function foot(to, color, [x, y], closed, flash, shade = closed ? "orange" : "paper") {
+  to.lineWidth = 1.5;
+  to.strokeStyle = color(closed ? "orange" : "ink");
+  to.fillStyle = color(shade);
+  disc(to, x, y, closed ? 5 : 3.5);
+  to.fill();
+  to.stroke();
+  if (!closed || flash >= 1) return;
+  to.globalAlpha = 1 - flash;
+  to.lineWidth = 3;
+  disc(to, x, y, 6 + 16 * flash);
+  to.stroke();
+  to.globalAlpha = 1;
+}
+
 /** A rectangle of a canvas with the ranges of its axes. */
 class Axes {
   /**
