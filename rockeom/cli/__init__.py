@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
@@ -34,6 +35,7 @@ Look up what Ma's thesis (2010) states: derived, checked and drawn again.
 {_listed(OF_THESIS)}
 """
 _PLAIN = argparse.RawDescriptionHelpFormatter
+_BELOW_ZERO = re.compile(r"-\.?\d")  # begins a value, such as -65deg or -1e-3, and no option
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -141,6 +143,7 @@ def _add(
         formatter_class=_PLAIN,
         allow_abbrev=False,
     )
+    parser._negative_number_matcher = _BELOW_ZERO
     home.add_arguments(parser)
     parser.set_defaults(run=home.run, parser=parser, program=program)
 

@@ -18,6 +18,7 @@ from rockeom.structures.positions import solid
 
 FORMATS = ("stl", "obj", "ply")
 _MOST_FACES = 3000  # that a picture shows
+_FAR = 100.0  # sizes of a body from the origin: there its moments lose ten digits of sixteen
 _FINEST = 48  # cells along the longest side, of a surface that is drawn coarser
 
 
@@ -93,22 +94,25 @@ def read_body(
     for name, value in numbers.items():
         if value is not None and not 0.0 < number(name, value) < np.inf:
             raise InputError(name, value).give("a positive number")
-    mesh = _read(path)
+    mesh, place = _read(path)
     volume = float(mesh.volume) * scale**3
     if density is None:
         density = float(mass) / volume  # type: ignore[arg-type]
     vertices = np.array(mesh.vertices, dtype=float) * scale
     centroid = np.array(mesh.center_mass, dtype=float) * scale
     inertia = np.array(mesh.moment_inertia) / float(mesh.density) * density * scale**5
-    from_lowest = centroid - [0.0, 0.0, vertices[:, 2].min()]
+    from_lowest = centroid + scale * place - [0.0, 0.0, vertices[:, 2].min() + scale * place[2]]
     tensor = (inertia + inertia.T) / 2  # exactly symmetric
     return MeshBody(
         density * volume, from_lowest, tensor, vertices - centroid, np.array(mesh.faces)
     )
 
 
-def _read(path: str | os.PathLike[str]) -> Any:
-    """The mesh of a file; raises InputError for one that bounds no body."""
+def _read(path: str | os.PathLike[str]) -> tuple[Any, np.ndarray]:
+    """The mesh of a file, and what was taken from its places (3,), which is 0 of most.
+
+    Raises InputError for one that bounds no body.
+    """
     check_path(path)
     if (ending := Path(path).suffix.lower().removeprefix(".")) not in FORMATS:
         raise _refused(path, f"it is no mesh by its name: give one of {', '.join(FORMATS)}")
@@ -130,6 +134,10 @@ def _read(path: str | os.PathLike[str]) -> Any:
         raise _refused(path, "it has no faces: export the surface again")
     if not np.isfinite(mesh.vertices).all():
         raise _refused(path, "it has vertices that are not finite: export it again")
+    place, size = mesh.bounds[0].copy(), float(mesh.extents.max())
+    place[abs(place) <= _FAR * size] = 0.0
+    if place.any():  # as in coordinates of a map: volume and moments would be lost in rounding
+        mesh.apply_translation(-place)
     edges = np.unique(np.sort(mesh.edges, axis=1), axis=0, return_counts=True)[1]
     if (edges != 2).any():
         raise _refused(
@@ -143,7 +151,7 @@ def _read(path: str | os.PathLike[str]) -> Any:
         )
     if not mesh.volume > 0.0:
         raise _refused(path, "it is inside out, its volume is not positive: flip its normals")
-    return mesh
+    return mesh, place
 
 
 def _refused(path: str | os.PathLike[str], why: str) -> InputError:

@@ -506,6 +506,9 @@ def test_models_that_disagree_are_compared_by_the_binomial_distribution():
     assert found[:2] == (8, 2)
     assert found.p_value == pytest.approx(2 * sum(math.comb(10, k) for k in (8, 9, 10)) / 2**10)
     assert validation.disagreement(right, right) == (0, 0, 1.0)
+    for less in (right[:1], right[0], np.tile(right, (2, 1))):  # which would be compared with each
+        with pytest.raises(ValueError, match="one value of each model for a test"):
+            validation.disagreement(right, less)
 
 
 def test_a_paired_difference_of_groups_of_one_test_is_the_paired_t_test():

@@ -68,6 +68,17 @@ def test_a_tetrahedron_in_millimetres_by_closed_form(tmp_path):
     assert (statue.mass, statue.restitution) == (80.0, 0.3)
 
 
+def test_a_box_in_coordinates_of_a_map_has_its_own_inertia(tmp_path):
+    """About the origin its moments are so large that rounding leaves nothing of its own."""
+    at = np.array([512_345.5, 4_123_456.25, 1234.5])
+    body = box(*SIZE)
+    path = written(tmp_path / "map.obj", body.vertices + at, triangles(body))
+    boulder = rk.Boulder.from_mesh(path, mass=700.0)
+    right = 700.0 / 12 * np.diag([np.square(SIZE).sum() - side**2 for side in SIZE])
+    np.testing.assert_allclose(boulder.inertia, right, rtol=1e-7, atol=1e-5)
+    np.testing.assert_allclose(boulder.centroid, [*at[:2], SIZE[2] / 2], rtol=1e-9)
+
+
 def test_a_boulder_stands_on_the_corners_of_its_lowest_points(tmp_path):
     """A box of which one lower corner is 3 mm high stands on the others, or on all."""
     body = box(0.6, 0.8, 0.5)

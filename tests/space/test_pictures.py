@@ -272,11 +272,11 @@ def test_a_film_between_two_samples_has_its_tilt():
 def test_the_command_draws_a_film_from_a_view(tmp_path, capsys):
     body, path = "--set width=0.5 depth=0.7 height=3.0 mass=2000", tmp_path / "prism.html"
     start = "--free --duration 1 --end 0.1 --initial pitch=0.1 roll=0.05 --frames-per-second 10"
-    asked = f"animate prism {body} {start} --view 30deg 20deg --out"
+    asked = f"animate prism {body} {start} --view -30deg 20deg --out"
     assert main([*asked.split(), str(path)]) == 0
     body = rk.Prism(width=0.5, depth=0.7, height=3.0, mass=2000.0)
     run = rk.simulate(body, rk.GroundMotion.none(1.0), initial={"pitch": 0.1, "roll": 0.05})
-    view = tuple(np.radians([30.0, 20.0]).tolist())
+    view = tuple(np.radians([-30.0, 20.0]).tolist())
     run.animate(tmp_path / "same.html", end=0.1, frames_per_second=10, view=view)
     for shown, same in zip(*map(pictures_in, sorted(tmp_path.iterdir())), strict=True):
         np.testing.assert_array_equal(shown, same)

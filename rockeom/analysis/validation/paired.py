@@ -49,7 +49,7 @@ def disagreement(right: ArrayLike, other: ArrayLike) -> Disagreement:
     Raises
     ------
     ValueError
-        For other values than True and False.
+        For other values than True and False, and for other than one of each test.
 
     Notes
     -----
@@ -69,6 +69,8 @@ def disagreement(right: ArrayLike, other: ArrayLike) -> Disagreement:
     for name, values in (("right", one), ("other", two)):
         rule = "give True or False, whether the model is right"
         require((values == 0) | (values == 1), "disagreement", name, values, rule)
+    if not one.ndim == two.ndim == 1 or one.shape != two.shape:
+        raise InputError("other", other, "disagreement").give("one value of each model for a test")
     first, second = int((one > two).sum()), int((two > one).sum())
     p_value = stats.binomtest(first, first + second).pvalue if first + second else 1.0
     return Disagreement(first, second, float(p_value))
