@@ -43,8 +43,10 @@ from benchmarks import report
 from rockeom import plots
 from rockeom.analysis import validation
 from rockeom.analysis.validation import BoulderTests
+from rockeom.assessment.plane import planar_block
 from rockeom.modelling.mesh import MeshBody, read_body, settled, support_points
 
+MARKS = "<!-- tables of boulder -->", "<!-- end of boulder -->"
 STORED = Path(__file__).with_suffix(".json")
 SPECIMENS = ("specimen_1", "specimen_2")
 MASS = 353.8  # kg, as stated
@@ -77,7 +79,7 @@ class Draw(NamedTuple):
     """A boulder from the priors."""
 
     boulder: rk.Boulder
-    plane: rk.OffsetBlock
+    plane: rk.OffsetBlock | rk.RigidBlock
     azimuth: float  # rad
     friction: float
 
@@ -94,24 +96,7 @@ def draw(surface: MeshBody, specimen: str, number: int) -> Draw:
     boulder = rk.Boulder(
         feet=feet, mass=body.mass, centroid=tuple(body.centroid.tolist()), inertia=body.inertia
     )
-    return Draw(boulder, weakest(boulder), azimuth, friction)
-
-
-def weakest(boulder: rk.Boulder) -> rk.OffsetBlock:
-    """The block in the plane across the edge nearest to the centroid."""
-    feet = np.array([place for _, place in boulder.feet]) - boulder.centroid[:2]
-    edges = np.roll(feet, -1, axis=0) - feet
-    normals = np.column_stack([edges[:, 1], -edges[:, 0]])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    nearest = np.argmin((normals * feet).sum(axis=1))
-    across = feet @ normals[nearest]
-    x, y = normals[nearest]
-    inertia = np.array([-y, x, 0.0]) @ np.asarray(boulder.inertia) @ np.array([-y, x, 0.0])
-    middle = (across.max() + across.min()) / 2
-    return rk.OffsetBlock(
-        half_width=np.ptp(across) / 2, half_height=boulder.centroid[2], offset=-middle,
-        mass=boulder.mass, inertia=float(inertia),
-    )  # fmt: skip
+    return Draw(boulder, planar_block(boulder)[0], azimuth, friction)
 
 
 # -- outcomes ------------------------------------------------------------------------------------
@@ -341,7 +326,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     if given.write:
         picture(tests, found, given.write.parent / "images" / "boulder_reliability.png")
         page = given.write.read_text(encoding="utf-8")
-        given.write.write_text(report.put_into(page, "boulder", "\n\n".join(lines)), "utf-8")
+        given.write.write_text(report.written("\n\n".join(lines), page, MARKS), "utf-8")
 
 
 def treated(tests: BoulderTests, stored: Mapping) -> str:

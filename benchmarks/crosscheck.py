@@ -13,6 +13,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 
@@ -20,6 +21,7 @@ import numpy as np
 from scipy.integrate import quad
 
 import rockeom as rk
+from benchmarks import report
 from benchmarks.engines import case, trace, with_exudyn, with_mujoco, with_opensees
 from benchmarks.engines.with_opensees import sprung
 from benchmarks.report import scientific, table
@@ -242,13 +244,7 @@ def remedies() -> list[str]:
     return [f"{program} is not installed: {remedy}." for program, remedy in lacking.items()]
 
 
-def written(text: str, page: str) -> str:
-    """A page with the table between its marks; raises ValueError where it has none."""
-    before, start, rest = page.partition(START)
-    _, end, after = rest.partition(END)
-    if not start or not end:
-        raise ValueError(f"the page has no {START} and {END} between which the table stands")
-    return f"{before}{START}\n\n{text}\n\n{END}{after}"
+written = partial(report.written, marks=(START, END))
 
 
 def main(argv: Sequence[str] | None = None) -> None:

@@ -366,14 +366,7 @@ rockeom at rtol 1e-12, times those of the whole motion, on the same machine as r
 busier hours: read them as orders of magnitude."""
 
 
-def written(text: str, page: str, marks: tuple[str, str] = (START, END)) -> str:
-    """A page with the tables between its marks; raises ValueError where it has none."""
-    first, last = marks
-    before, start, rest = page.partition(first)
-    _, end, after = rest.partition(last)
-    if not start or not end:
-        raise ValueError(f"the page has no {first} and {last} between which the tables stand")
-    return f"{before}{first}\n\n{text}\n\n{last}{after}"
+written = partial(report.written, marks=(START, END))
 
 
 def main(argv: Sequence[str] | None = None) -> None:

@@ -23,9 +23,9 @@ from typing import Any
 import numpy as np
 
 import rockeom as rk
-from benchmarks.in_space import written
 from benchmarks.practice_objects import OBJECTS, Object
 from benchmarks.practice_page import cells, draw, whole
+from benchmarks.report import written
 from rockeom.analysis.sweeps import ANSWERS, FALLS, outcome_labels
 from rockeom.assessment import plane
 from rockeom.assessment.azimuths import azimuths_of

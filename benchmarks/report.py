@@ -261,11 +261,11 @@ what slows the machine down for a while slows all of them. The goals are numbers
 beforehand."""
 
 
-def put_into(page: str, name: str, text: str) -> str:
-    """A page with a text between its marks of a name; raises ValueError where it has none."""
-    start, end = f"<!-- tables of {name} -->", f"<!-- end of {name} -->"
+def written(text: str, page: str, marks: tuple[str, str]) -> str:
+    """A page with a text between its two marks; raises ValueError where it has none."""
+    start, end = marks
     before, found, rest = page.partition(start)
     _, closed, after = rest.partition(end)
     if not found or not closed:
-        raise ValueError(f"the page has no {start} and {end} between which the tables stand")
+        raise ValueError(f"the page has no {start} and {end} between which the table stands")
     return f"{before}{start}\n\n{text}\n\n{end}{after}"

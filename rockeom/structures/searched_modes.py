@@ -549,9 +549,8 @@ def assumption(module: Any, p: np.ndarray) -> str:
 
 def friction_of(module: Any, p: np.ndarray) -> np.ndarray:
     """(m,) the coefficient of friction of each point; NEVER_SLIPS of one that never does."""
-    rows = np.zeros(
-        2 * len(module.POINTS), np.result_type(p, 0.0)
-    )  # restitution and friction of each point
+    # restitution and friction of each point
+    rows = np.zeros(2 * len(module.POINTS), np.result_type(p, 0.0))
     module.point_laws(p, rows)
     return rows[1::2]
 
