@@ -1,13 +1,14 @@
 """Tests of a boulder on a shaking table, predicted in space and in the plane.
 
-    python -m benchmarks.boulders fit FOLDER                        # an hour; stores its outcomes
-    python -m benchmarks.boulders scores FOLDER --write docs/validation.md     # five minutes
+    python -m benchmarks.boulders fit FOLDER            # an hour; stores the outcomes that lack
+    python -m benchmarks.boulders scores FOLDER --write docs/validation.md     # two minutes
 
 FOLDER has the tests, see `rockeom.analysis.validation.BoulderTests`. `fit` simulates all tests
 with each draw from the priors below, and stores the outcomes in boulders.json beside this file,
-with the date; what is stored has nothing of the measurements. `scores` simulates the first draws
-again to compare them, weighs all by the tests of four folds to predict the fifth, and writes the
-tables and the picture of docs/validation.md.
+with the date; what is stored has nothing of the measurements. Draws that are stored stay: after a
+change of the equations remove the file. `scores` simulates the first draws again to compare them,
+weighs all by the tests of four folds to predict the fifth, and writes the tables and the picture of
+docs/validation.md.
 
 The unknowns of the tests, and their priors, were written down before the first score:
 
@@ -54,7 +55,9 @@ BEARING = (0.5e-3, 5e-3)  # m
 SCAN_ERROR = (1e-3, 3e-3)  # m
 FRICTION = (0.4, 0.8)
 SEED = 582
-DRAWS, FEW, AGAIN = 30, 3, 2  # all; of other treatments; by which `scores` checks what is stored
+DRAWS, TURNED, FEW = 60, 20, 3  # all; also along the weakest direction; of other treatments
+AGAIN = 2  # draws by which `scores` checks what is stored
+WEAKEST = "weakest direction"  # of the motion, in place of the one that is drawn
 WRONG = 0.1  # part of the tests that one draw is expected to get wrong, as the weights have it
 ITERATIONS = 2000
 METHOD = rk.SolverOptions(method="RK45")  # steps end at the samples anyway
@@ -79,8 +82,9 @@ class Draw(NamedTuple):
     """A boulder from the priors."""
 
     boulder: rk.Boulder
+    azimuth: float  # rad, of its x from the axis of the table
     plane: rk.OffsetBlock | rk.RigidBlock
-    azimuth: float  # rad
+    weakest: float  # rad, the azimuth at which the table shakes it across its weakest edge
     friction: float
 
 
@@ -96,7 +100,8 @@ def draw(surface: MeshBody, specimen: str, number: int) -> Draw:
     boulder = rk.Boulder(
         feet=feet, mass=body.mass, centroid=tuple(body.centroid.tolist()), inertia=body.inertia
     )
-    return Draw(boulder, planar_block(boulder)[0], azimuth, friction)
+    plane, towards = planar_block(boulder)
+    return Draw(boulder, azimuth, plane, -towards, friction)
 
 
 # -- outcomes ------------------------------------------------------------------------------------
@@ -113,8 +118,9 @@ def overturned(case: rk.Case, motions: rk.MotionSet) -> np.ndarray:
     return outcomes == "overturned"
 
 
-def simulated(tests: BoulderTests, treatment: str, draws: Sequence[int]) -> Outcomes:
-    """Outcomes of draws, in space and in the plane."""
+def simulated(tests: BoulderTests, how: str, draws: Sequence[int]) -> Outcomes:
+    """Outcomes of draws, in space and in the plane, by a treatment or in the WEAKEST direction."""
+    treatment = "joined" if how == WEAKEST else how
     motions = rk.MotionSet(tests.motion(i, treatment) for i in range(len(tests.tests)))
     found: Outcomes = {"space": {}, "plane": {}}
     for specimen in SPECIMENS:
@@ -122,11 +128,12 @@ def simulated(tests: BoulderTests, treatment: str, draws: Sequence[int]) -> Outc
         rows: dict[str, list[np.ndarray]] = {"space": [], "plane": []}
         for number in draws:
             drawn, started = draw(surface, specimen, number), time.perf_counter()
-            case = rk.Case(drawn.boulder, motions[0], azimuth=drawn.azimuth)
+            azimuth = drawn.weakest if how == WEAKEST else drawn.azimuth
+            case = rk.Case(drawn.boulder, motions[0], azimuth=azimuth)
             rows["space"].append(overturned(case, motions))
             rows["plane"].append(overturned(rk.Case(drawn.plane, motions[0]), motions))
             said = f"{len(drawn.boulder.feet)} points, {time.perf_counter() - started:.0f} s"
-            print(f"{treatment}, {specimen}, draw {number}: {said}", file=sys.stderr)
+            print(f"{how}, {specimen}, draw {number}: {said}", file=sys.stderr)
         for way in found:
             found[way][specimen] = np.array(rows[way])
     return found
@@ -153,6 +160,31 @@ def packed(outcomes: Outcomes) -> dict:
         way: {name: [np.packbits(row).tobytes().hex() for row in rows] for name, rows in of.items()}
         for way, of in outcomes.items()
     }
+
+
+def fit(tests: BoulderTests, draws: int) -> None:
+    """Store the outcomes of draws that are not yet stored, after each of them."""
+    stored = json.loads(STORED.read_text(encoding="utf-8")) if STORED.exists() else {}
+    numbers = {"joined": draws, WEAKEST: TURNED, "acceleration": FEW, "displacement": FEW}
+    for how, number in numbers.items():
+        nothing: dict = {way: {name: [] for name in SPECIMENS} for way in ("space", "plane")}
+        rows = stored.setdefault(how, nothing)
+        for i in range(len(rows["space"][SPECIMENS[0]]), number):
+            for way, of in packed(simulated(tests, how, [i])).items():
+                for name, text in of.items():
+                    rows[way][name] += text
+            stored |= {
+                "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
+                "rockeom": rk.__version__, "tests": len(tests.tests),
+                "priors": {
+                    "azimuth [rad]": (0.0, 2.0 * np.pi), "bearing height [m]": BEARING,
+                    "scan error [m]": SCAN_ERROR, "friction": FRICTION, "seed": SEED,
+                },
+            }  # fmt: skip
+            STORED.write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
+    if "friction" not in stored:
+        stored["friction"] = with_friction(tests, range(FEW), 20)
+        STORED.write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
 
 
 def unpacked(stored: Mapping, n: int) -> Outcomes:
@@ -277,6 +309,28 @@ def table_of_pairs(tests: BoulderTests, found: Mapping) -> str:
     return report.table(head, rows)
 
 
+def table_of_directions(tests: BoulderTests, stored: Mapping) -> str:
+    """Scores of the same draws in the plane, and in space along two directions."""
+    drawn, weakest = (unpacked(stored[how], len(tests.tests)) for how in ("joined", WEAKEST))
+    ways = {
+        "plane": drawn["plane"], "space, direction drawn": drawn["space"],
+        "space, weakest direction": weakest["space"],
+    }  # fmt: skip
+    head = (
+        f"of the first {TURNED} draws", "",
+        *(f"{what} {i + 1}" for i in (0, 1) for what in ("overturn", "right", "Brier")),
+    )  # fmt: skip
+    rows = []
+    for way, of in ways.items():
+        cells = []
+        for name in SPECIMENS:
+            p, fell = of[name][:TURNED].mean(axis=0), tests.overturned[name]
+            brier = validation.brier_score(fell, p).mean()
+            cells += [f"{x:.3f}" for x in (p.mean(), right(p, fell).mean(), brier)]
+        rows.append((way, "", *cells))
+    return report.table(head, rows)
+
+
 def picture(tests: BoulderTests, found: Mapping, path: Path) -> None:
     """Reliability diagrams of both specimens, with nothing fitted and with draws weighed."""
     plots.use_style()
@@ -298,18 +352,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     given = parser.parse_args(argv)
     tests = BoulderTests.from_folder(given.folder)
     if given.work == "fit":
-        outcomes = simulated(tests, "joined", range(given.draws))
-        others = {
-            treatment: packed(simulated(tests, treatment, range(FEW)))
-            for treatment in ("acceleration", "displacement")
-        }
-        text = {
-            "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
-            "rockeom": rk.__version__, "tests": len(tests.tests), "draws": given.draws,
-            "joined": packed(outcomes), **others,
-            "friction": with_friction(tests, range(FEW), 20),
-        }  # fmt: skip
-        STORED.write_text(json.dumps(text, indent=1) + "\n", encoding="utf-8")
+        fit(tests, given.draws)
         return
     stored = json.loads(STORED.read_text(encoding="utf-8"))
     outcomes = unpacked(stored["joined"], len(tests.tests))
@@ -321,7 +364,10 @@ def main(argv: Sequence[str] | None = None) -> None:
     )
     print(f"{apart} of {4 * AGAIN * len(tests.tests)} outcomes are not as stored", file=sys.stderr)
     found = predictions(tests, outcomes)
-    lines = [table_of_scores(tests, found), table_of_pairs(tests, found), treated(tests, stored)]
+    lines = [
+        table_of_scores(tests, found), table_of_pairs(tests, found),
+        table_of_directions(tests, stored), treated(tests, stored),
+    ]  # fmt: skip
     print(*lines, sep="\n\n")
     if given.write:
         picture(tests, found, given.write.parent / "images" / "boulder_reliability.png")

@@ -17,6 +17,8 @@ from rockeom.structures.base import Structure
 
 STEP = 0.25 * math.pi
 """Distance of azimuths, where none are given [rad]."""
+
+_OF_X = "Azimuth of its x axis from the first component"
 _MOST = 360
 """Azimuths by number: not more, a degree apart."""
 _SAME = 1e-9
@@ -104,9 +106,9 @@ def in_words(
     number = trials.fell.size // n
     if falls[most] == falls[least]:
         alike = f"it falls in {falls[most]} of {number} scaled motions"
-        return f"Azimuth: {alike} at each of {n} azimuths."
+        return f"{_OF_X}: {alike} at each of {n} azimuths."
     first, last = (f"{in_degrees(answers[i].azimuth)}, in {falls[i]}" for i in (most, least))
-    said = f"Azimuth: it falls most at {first} of {number} scaled motions, and least"
+    said = f"{_OF_X}: it falls most at {first} of {number} scaled motions, and least"
     pair = [(trials.fell[i::n], trials.answered[i::n]) for i in (most, least)]
     before, after = (trials._replace(fell=fell, answered=answered) for fell, answered in pair)
     of_pairs = 1.0 - (1.0 - level) / math.comb(n, 2)

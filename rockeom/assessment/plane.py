@@ -148,7 +148,8 @@ def in_words(answer: InPlane | None, trials: Trials, level: float) -> str:
     """Both shares, and whether the planar one was safe; "" without a planar answer."""
     if answer is None or math.isnan(answer.share):
         return ""
-    where = f"towards {in_degrees(answer.azimuth)}, under the stronger component of each recording"
+    where = f"towards {in_degrees(answer.azimuth)} from its x axis, under the stronger component"
+    where += " of each recording"
     said = f"Plane: the planar block of its weakest edge, {where}, overturns in"
     falls = int((trials.fell & trials.answered).sum())
     if not (falls or answer.fell.any()):

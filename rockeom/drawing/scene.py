@@ -53,8 +53,9 @@ def view_from(view: Sequence[float]) -> View:
     """View from an azimuth and an elevation [rad]; raises InputError for others."""
     angles = array_of("view", view)
     if angles.shape != (2,) or not 0.0 <= angles[1] <= np.pi / 2:
-        raise InputError("view", view).give(
-            "the azimuth from which to look and the elevation, 0 to 1.57 [rad]"
+        raise InputError("view", view).wrong(
+            f"is {', '.join(f'{x:.4g}' for x in angles.flat)}: give the azimuth from which to look "
+            "and the elevation, 0 to 1.57 [rad]"
         )
     (ca, ce), (sa, se) = np.cos(angles), np.sin(angles)
     right, towards = np.array([-sa, ca, 0.0]), np.array([ce * ca, ce * sa, se])

@@ -70,6 +70,14 @@ def test_what_lacks_is_named(folder):
     path.write_text("\n".join([HEADING, LINES[0].replace("7,", "9,", 1)]))
     with pytest.raises(ValueError, match="no array a009"):
         BoulderTests.from_folder(folder)
+    path.write_text("\n".join([HEADING, LINES[0].replace(",1,0,1,", ",1,2,1,")]))
+    with pytest.raises(ValueError, match=r"tests\.csv, line 2: specimen_2 of test 7 is 2\. Remedy: give 1"):
+        BoulderTests.from_folder(folder)
+    path.write_text("\n".join([HEADING.replace("dem: 1 KN", "dem: 10 KN"), LINES[0]]))
+    assert BoulderTests.from_folder(folder).of_others["specimen_1"] == {}
+    np.savez(folder / "table_motions_200hz.npz", a007=np.zeros(3), d007=np.zeros(4))
+    with pytest.raises(ValueError, match=r"a007 and d007 .* of \(3,\) and \(4,\)"):
+        BoulderTests.from_folder(folder)
     (folder / "SP2.ply").unlink()
     with pytest.raises(FileNotFoundError, match=r"SP2\.ply"):
         BoulderTests.from_folder(folder)

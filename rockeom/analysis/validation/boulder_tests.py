@@ -89,7 +89,8 @@ class BoulderTests:
         FileNotFoundError
             For a missing file.
         InputError
-            For a column or an array that lacks.
+            For a column or an array that lacks, for outcomes other than 0 and 1, and for an
+            acceleration and a displacement of two lengths.
         """
         at = Path(folder)
         surfaces = {name: at / f"SP{i + 1}.ply" for i, name in enumerate(SPECIMENS)}
@@ -106,7 +107,11 @@ class BoulderTests:
         rows = [i for i in range(len(table.rows)) if table.text(i, "motion") == "ok"]
 
         def outcomes(column: str) -> np.ndarray:
-            return np.array([table.number(i, column) == 1.0 for i in rows])
+            values = np.array([table.number(i, column) for i in rows])
+            for i in np.flatnonzero((values != 0.0) & (values != 1.0)):
+                said = f"{column} of test {table.text(rows[i], 'test')} is {values[i]:g}"
+                raise table.error(rows[i], said, "give 1 where it overturned, 0 where it stood")
+            return values == 1.0
 
         with np.load(archive, allow_pickle=False) as arrays:
             numbers = [table.text(i, "test") for i in rows]
@@ -117,13 +122,20 @@ class BoulderTests:
                     f"{archive} has no array {lacks[0]}: give the file as it is"
                 )
             measured = tuple((arrays[a], arrays[d]) for a, d in names)
+        for (a, d), pair in zip(names, measured, strict=True):
+            shapes = [np.shape(values) for values in pair]
+            if len(shapes[0]) != 1 or shapes[0] != shapes[1] or not np.isfinite(pair).all():
+                raise InputError("folder", folder).says(
+                    f"{a} and {d} of {archive} are no two histories of one length and of finite "
+                    f"numbers, but of {shapes[0]} and {shapes[1]}: give the file as it is"
+                )
         return cls(
             tests=tuple(numbers),
             records=tuple(table.text(i, "record") for i in rows),
             folds=np.array([int(table.number(i, "fold")) for i in rows]),
             overturned={name: outcomes(name) for name in SPECIMENS},
             of_others={
-                name: {c: outcomes(c) for c in table.names if c.startswith(f"{OF_OTHERS}{i + 1}")}
+                name: {c: outcomes(c) for c in table.names if c.startswith(f"{OF_OTHERS}{i + 1} ")}
                 for i, name in enumerate(SPECIMENS)
             },
             surfaces=surfaces,
