@@ -59,7 +59,8 @@ DRAWS, TURNED, FEW = 60, 20, 3  # all; also along the weakest direction; of othe
 AGAIN = 2  # draws by which `scores` checks what is stored
 WEAKEST = "weakest direction"  # of the motion, in place of the one that is drawn
 WRONG = 0.1  # part of the tests that one draw is expected to get wrong, as the weights have it
-ITERATIONS = 2000
+ITERATIONS, FEWER = 2000, 300  # of the weights; of those of twins
+TWINS = 0.15, 0.6  # share of the tests in which a draw falls that may stand for the boulder
 METHOD = rk.SolverOptions(method="RK45")  # steps end at the samples anyway
 ANGLES, SIZES = (3, 4, 5, 6, 8, 10, 12), (0.1, 0.2, 0.3, 0.4, 0.6)  # degrees, m, of the plane
 
@@ -209,7 +210,9 @@ def chosen(choices: np.ndarray, observed: np.ndarray, folds: np.ndarray) -> np.n
     return choices[[best[f] for f in folds], np.arange(len(folds))].astype(float)
 
 
-def weighed(outcomes: np.ndarray, observed: np.ndarray, folds: np.ndarray) -> np.ndarray:
+def weighed(
+    outcomes: np.ndarray, observed: np.ndarray, folds: np.ndarray, iterations: int = ITERATIONS
+) -> np.ndarray:
     """Probabilities (n,) by draws (k, n) with the weights that suit the other folds best.
 
     A draw is wrong about a test with the probability WRONG. Weights of the mixture make the
@@ -221,7 +224,7 @@ def weighed(outcomes: np.ndarray, observed: np.ndarray, folds: np.ndarray) -> np
     found = np.empty(outcomes.shape[1])
     for fold in np.unique(folds):
         of_others, weights = likely[:, folds != fold], np.full(len(likely), 1.0 / len(likely))
-        for _ in range(ITERATIONS):
+        for _ in range(iterations):
             parts = weights[:, None] * of_others
             weights = (parts / parts.sum(axis=0)).mean(axis=1)
         found[folds == fold] = weights @ states[:, folds == fold]
@@ -331,6 +334,30 @@ def table_of_directions(tests: BoulderTests, stored: Mapping) -> str:
     return report.table(head, rows)
 
 
+def table_of_twins(tests: BoulderTests, outcomes: Outcomes) -> str:
+    """Scores of a boulder that is one of the draws, predicted by the others: means over such."""
+    head = ("a draw in place of the boulder", "")
+    head += tuple(f"{what} {i + 1}" for i in (0, 1) for what in ("draws", "right", "Brier"))
+    cells: dict[str, list[str]] = {}
+    for name in SPECIMENS:
+        space, plane = outcomes["space"][name], outcomes["plane"][name]
+        scores: dict[str, list[tuple[float, float]]] = {}
+        for k in (k for k, fell in enumerate(space) if TWINS[0] < fell.mean() < TWINS[1]):
+            fell, others = space[k], np.arange(len(space)) != k
+            for way, of in (("space", space[others]), ("plane", plane[others])):
+                predicted = {
+                    f"{way}, nothing fitted": of.mean(axis=0),
+                    f"{way}, draws weighed": weighed(of, fell, tests.folds, FEWER),
+                }
+                for said, p in predicted.items():
+                    brier = float(validation.brier_score(fell, p).mean())
+                    scores.setdefault(said, []).append((float(right(p, fell).mean()), brier))
+        for said, pairs in scores.items():
+            numbers = [f"{len(pairs)}", *(f"{x:.3f}" for x in np.mean(pairs, axis=0))]
+            cells[said] = cells.get(said, []) + numbers
+    return report.table(head, [(said, "", *row) for said, row in cells.items()])
+
+
 def picture(tests: BoulderTests, found: Mapping, path: Path) -> None:
     """Reliability diagrams of both specimens, with nothing fitted and with draws weighed."""
     plots.use_style()
@@ -366,7 +393,8 @@ def main(argv: Sequence[str] | None = None) -> None:
     found = predictions(tests, outcomes)
     lines = [
         table_of_scores(tests, found), table_of_pairs(tests, found),
-        table_of_directions(tests, stored), treated(tests, stored),
+        table_of_directions(tests, stored), table_of_twins(tests, outcomes),
+        treated(tests, stored),
     ]  # fmt: skip
     print(*lines, sep="\n\n")
     if given.write:

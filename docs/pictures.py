@@ -40,6 +40,19 @@ def shear_frame() -> tuple[rk.Structure, dict[str, float]]:
     return frame, {"theta": 0.06, "u_1": 0.2, "u_2": 0.4, "u_3": 0.5}
 
 
+IN_SPACE = {
+    "prism": (
+        rk.Prism(width=0.5, depth=0.7, height=1.6, mass=1500.0),
+        {"yaw": 0.3, "pitch": 0.16, "roll": -0.1},
+    ),
+    "wobbling_column": (
+        rk.WobblingColumn(radius=0.4, height=1.7, mass=2000.0),
+        {"tilt": 0.22, "direction": -0.2},
+    ),
+}  # fmt: skip
+"""Bodies in space of README.md, and the states in which they are drawn."""
+
+
 def sketch(structure: rk.Structure, state: dict[str, float]) -> Figure:
     figure = style.new_figure(*SKETCH)
     figure.set_layout_engine("none")
@@ -91,6 +104,7 @@ def _frame(runs: dict[float, rk.Response], record: rk.GroundMotion, t: float) ->
 if __name__ == "__main__":
     FOLDER.mkdir(exist_ok=True)
     drawn = {name: gallery.sketched(name) for name in EXAMPLES} | {"shear_frame": shear_frame()}
+    drawn |= IN_SPACE
     for name, (structure, state) in drawn.items():
         sketch(structure, state).savefig(FOLDER / f"{name}.png", dpi=110)
     (FOLDER / "free_body").mkdir(exist_ok=True)

@@ -1,5 +1,8 @@
 """Tests of a boulder by others: the loader, on a folder of its form, and the settled scan."""
 
+import dataclasses
+import json
+
 import numpy as np
 import pytest
 
@@ -71,7 +74,9 @@ def test_what_lacks_is_named(folder):
     with pytest.raises(ValueError, match="no array a009"):
         BoulderTests.from_folder(folder)
     path.write_text("\n".join([HEADING, LINES[0].replace(",1,0,1,", ",1,2,1,")]))
-    with pytest.raises(ValueError, match=r"tests\.csv, line 2: specimen_2 of test 7 is 2\. Remedy: give 1"):
+    with pytest.raises(
+        ValueError, match=r"line 2: specimen_2 of test 7 is 2\. Remedy"
+    ):
         BoulderTests.from_folder(folder)
     path.write_text("\n".join([HEADING.replace("dem: 1 KN", "dem: 10 KN"), LINES[0]]))
     assert BoulderTests.from_folder(folder).of_others["specimen_1"] == {}
@@ -127,3 +132,42 @@ def test_outcomes_are_stored_to_the_bit():
     outcomes = {"space": {"specimen_1": np.random.default_rng(1).random((3, 45)) < 0.4}}
     again = boulders.unpacked(boulders.packed(outcomes), 45)
     np.testing.assert_array_equal(again["space"]["specimen_1"], outcomes["space"]["specimen_1"])
+
+
+def test_a_draw_that_has_a_twin_is_predicted_by_it(folder):
+    """Two draws of each kind, of which one kind falls in every second test, the other never."""
+    tests = dataclasses.replace(
+        BoulderTests.from_folder(folder), tests=("1",) * 10, folds=np.repeat([0, 1], 5)
+    )
+    falls = np.arange(10) % 2 == 0
+    draws = np.array([falls, falls, np.zeros(10, bool), np.zeros(10, bool)])
+    outcomes = {way: dict.fromkeys(boulders.SPECIMENS, draws) for way in ("space", "plane")}
+    lines = boulders.table_of_twins(tests, outcomes).splitlines()
+    for way in ("space", "plane"):
+        (row,) = (line for line in lines if f"{way}, draws weighed" in line)
+        cells = [cell.strip() for cell in row.strip("| ").split("|")]
+        assert cells[2:4] == ["2", "1.000"]
+        assert float(cells[4]) == pytest.approx(boulders.WRONG**2, abs=1e-3)  # the twin's weight: 1
+
+
+def test_draws_that_are_stored_are_not_simulated_again(folder, monkeypatch, tmp_path):
+    asked = []
+
+    def simulated(tests, how, draws):
+        asked.append((how, *draws))
+        rows = {name: np.full((1, len(tests.tests)), draws[0] == 1) for name in boulders.SPECIMENS}
+        return {"space": rows, "plane": rows}
+
+    monkeypatch.setattr(boulders, "simulated", simulated)
+    monkeypatch.setattr(boulders, "with_friction", lambda *_: (0, 2))
+    monkeypatch.setattr(boulders, "STORED", tmp_path / "boulders.json")
+    tests = BoulderTests.from_folder(folder)
+    boulders.fit(tests, 2)
+    assert [numbers for how, *numbers in asked if how == "joined"] == [[0], [1]]
+    asked.clear()
+    boulders.fit(tests, 3)
+    assert asked == [("joined", 2)]
+    stored = json.loads((tmp_path / "boulders.json").read_text())
+    found = boulders.unpacked(stored["joined"], len(tests.tests))
+    assert found["space"]["specimen_2"][:, 0].tolist() == [False, True, False]
+    assert stored["priors"]["bearing height [m]"] == list(boulders.BEARING)
