@@ -19,8 +19,11 @@ The unknowns of the tests, and their priors, were written down before the first 
     mass                                       353.8 kg as stated, which no outcome depends on
     motion below 2 Hz                          of the displacement, see `BoulderTests.motion`
 
-Each draw turns its surface onto the face on which it rests. Impacts do not rebound. In the plane
-the same draw is an `OffsetBlock` across its weakest edge, shaken along the weakest direction.
+Each draw turns its surface onto the face on which it rests. Impacts do not rebound. The first model
+stood on the corners of what bears, put into one plane ("level points"), and its planar block is an
+`OffsetBlock` across its weakest edge, shaken along the weakest direction. After its scores were
+seen, points got the heights that they have on the surface: the boulder rests on three, and leans
+onto others. Nothing bears within a height there; the other priors are as before.
 """
 
 from __future__ import annotations
@@ -38,33 +41,39 @@ from typing import NamedTuple
 import numpy as np
 import trimesh
 from matplotlib import pyplot as plt
+from scipy.spatial import ConvexHull
 
 import rockeom as rk
 from benchmarks import report
 from rockeom import plots
 from rockeom.analysis import validation
 from rockeom.analysis.validation import BoulderTests
+from rockeom.analysis.validation.boulder_tests import TREATMENTS
 from rockeom.assessment.plane import planar_block
+from rockeom.codes import MOST_POINTS_IN_SPACE
 from rockeom.modelling.mesh import MeshBody, read_body, settled, support_points
 
 MARKS = "<!-- tables of boulder -->", "<!-- end of boulder -->"
 STORED = Path(__file__).with_suffix(".json")
 SPECIMENS = ("specimen_1", "specimen_2")
 MASS = 353.8  # kg, as stated
-BEARING = (0.5e-3, 5e-3)  # m
+BEARING = (0.5e-3, 5e-3)  # m, of level points
+RIGID = 1e-6  # m, height within which points bear that have heights of their own
 SCAN_ERROR = (1e-3, 3e-3)  # m
 FRICTION = (0.4, 0.8)
 SEED = 582
-DRAWS, TURNED, FEW = 60, 20, 3  # all; also along the weakest direction; of other treatments
+DRAWS, FEW = 30, 3  # all; of other treatments
 AGAIN = 2  # draws by which `scores` checks what is stored
-WEAKEST = "weakest direction"  # of the motion, in place of the one that is drawn
 WRONG = 0.1  # part of the tests that one draw is expected to get wrong, as the weights have it
 ITERATIONS, FEWER = 2000, 300  # of the weights; of those of twins
 TWINS = 0.15, 0.6  # share of the tests in which a draw falls that may stand for the boulder
 METHOD = rk.SolverOptions(method="RK45")  # steps end at the samples anyway
 ANGLES, SIZES = (3, 4, 5, 6, 8, 10, 12), (0.1, 0.2, 0.3, 0.4, 0.6)  # degrees, m, of the plane
 
+WAYS = "space", "level", "plane"
+NAMES = dict(zip(WAYS, ("space", "space, level points", "plane"), strict=True))
 PAIRS = (
+    ("space, nothing fitted", "space, level points, nothing fitted"),
     ("space, nothing fitted", "plane, nothing fitted"),
     ("space, nothing fitted", "discrete elements of others, stiffness chosen"),
     ("space, draws weighed", "plane, draws weighed"),
@@ -73,20 +82,25 @@ PAIRS = (
 )
 
 Outcomes = dict[str, dict[str, np.ndarray]]
-"""By "space" or "plane" and specimen: whether draws overturn in tests (draws, n)."""
+"""By a way of `WAYS` and specimen: whether draws overturn in tests (draws, n)."""
 
 
 # -- what is drawn -------------------------------------------------------------------------------
 
 
 class Draw(NamedTuple):
-    """A boulder from the priors."""
+    """A boulder from the priors, on points of their heights, and on level ones."""
 
     boulder: rk.Boulder
+    level: rk.Boulder
     azimuth: float  # rad, of its x from the axis of the table
     plane: rk.OffsetBlock | rk.RigidBlock
-    weakest: float  # rad, the azimuth at which the table shakes it across its weakest edge
     friction: float
+
+    def case(self, way: str, motion: rk.GroundMotion) -> rk.Case:
+        if way == "plane":
+            return rk.Case(self.plane, motion)
+        return rk.Case(self.boulder if way == "space" else self.level, motion, azimuth=self.azimuth)
 
 
 def draw(surface: MeshBody, specimen: str, number: int) -> Draw:
@@ -97,12 +111,24 @@ def draw(surface: MeshBody, specimen: str, number: int) -> Draw:
     outward = trimesh.Trimesh(surface.vertices, surface.faces, process=False).vertex_normals
     moved = surface.vertices + outward * rng.normal(0.0, error, len(outward))[:, None]
     body = settled(surface._replace(vertices=moved))
-    feet = support_points(body, bearing, "draw")
-    boulder = rk.Boulder(
-        feet=feet, mass=body.mass, centroid=tuple(body.centroid.tolist()), inertia=body.inertia
+    boulder, level = (
+        rk.Boulder(
+            feet=feet, mass=body.mass, centroid=tuple(body.centroid.tolist()), inertia=body.inertia
+        )
+        for feet in (support_points(body, RIGID, "draw"), level_points(body, bearing))
     )
-    plane, towards = planar_block(boulder)
-    return Draw(boulder, azimuth, plane, -towards, friction)
+    return Draw(boulder, level, azimuth, planar_block(level)[0], friction)
+
+
+def level_points(body: MeshBody, bearing: float) -> dict[str, tuple[float, float]]:
+    """Corners of what bears at rest; of more than eight those whose loss takes least area go."""
+    hull = body.vertices[ConvexHull(body.vertices).vertices]
+    plan = hull[hull[:, 2] - hull[:, 2].min() <= bearing, :2] + body.centroid[:2]
+    corners = plan[ConvexHull(plan).vertices]
+    while len(corners) > MOST_POINTS_IN_SPACE:
+        (ax, ay), (bx, by) = ((corners - np.roll(corners, turn, axis=0)).T for turn in (1, -1))
+        corners = np.delete(corners, np.abs(ax * by - ay * bx).argmin(), axis=0)
+    return {f"point_{i + 1}": (x, y) for i, (x, y) in enumerate(corners.tolist())}
 
 
 # -- outcomes ------------------------------------------------------------------------------------
@@ -119,24 +145,18 @@ def overturned(case: rk.Case, motions: rk.MotionSet) -> np.ndarray:
     return outcomes == "overturned"
 
 
-def simulated(tests: BoulderTests, how: str, draws: Sequence[int]) -> Outcomes:
-    """Outcomes of draws, in space and in the plane, by a treatment or in the WEAKEST direction."""
-    treatment = "joined" if how == WEAKEST else how
+def simulated(tests: BoulderTests, treatment: str, way: str, draws: Sequence[int]) -> dict:
+    """Outcomes (draws, n) of draws in one way, by specimen."""
     motions = rk.MotionSet(tests.motion(i, treatment) for i in range(len(tests.tests)))
-    found: Outcomes = {"space": {}, "plane": {}}
+    found = {}
     for specimen in SPECIMENS:
-        surface = read_body(tests.surfaces[specimen], MASS, None, 1.0)
-        rows: dict[str, list[np.ndarray]] = {"space": [], "plane": []}
+        surface, rows = read_body(tests.surfaces[specimen], MASS, None, 1.0), []
         for number in draws:
             drawn, started = draw(surface, specimen, number), time.perf_counter()
-            azimuth = drawn.weakest if how == WEAKEST else drawn.azimuth
-            case = rk.Case(drawn.boulder, motions[0], azimuth=azimuth)
-            rows["space"].append(overturned(case, motions))
-            rows["plane"].append(overturned(rk.Case(drawn.plane, motions[0]), motions))
-            said = f"{len(drawn.boulder.feet)} points, {time.perf_counter() - started:.0f} s"
-            print(f"{how}, {specimen}, draw {number}: {said}", file=sys.stderr)
-        for way in found:
-            found[way][specimen] = np.array(rows[way])
+            rows.append(overturned(drawn.case(way, motions[0]), motions))
+            said = f"draw {number}: {time.perf_counter() - started:.0f} s"
+            print(f"{treatment}, {way}, {specimen}, {said}", file=sys.stderr)
+        found[specimen] = np.array(rows)
     return found
 
 
@@ -147,7 +167,7 @@ def with_friction(tests: BoulderTests, draws: Sequence[int], every: int) -> tupl
     for specimen in SPECIMENS:
         surface = read_body(tests.surfaces[specimen], MASS, None, 1.0)
         for drawn in (draw(surface, specimen, i) for i in draws):
-            never = rk.Case(drawn.boulder, motions[0], azimuth=drawn.azimuth)
+            never = drawn.case("space", motions[0])
             slips = replace(drawn.boulder, friction=drawn.friction)
             rubs = rk.Case(slips, motions[0], azimuth=drawn.azimuth)
             apart = overturned(never, motions) != overturned(rubs, motions)
@@ -155,31 +175,30 @@ def with_friction(tests: BoulderTests, draws: Sequence[int], every: int) -> tupl
     return changed, number
 
 
-def packed(outcomes: Outcomes) -> dict:
-    """Outcomes as text: a hexadecimal number a draw."""
+def packed(outcomes: Mapping[str, np.ndarray]) -> dict[str, list[str]]:
+    """Outcomes of specimens as text: a hexadecimal number a draw."""
     return {
-        way: {name: [np.packbits(row).tobytes().hex() for row in rows] for name, rows in of.items()}
-        for way, of in outcomes.items()
+        name: [np.packbits(row).tobytes().hex() for row in rows] for name, rows in outcomes.items()
     }
 
 
 def fit(tests: BoulderTests, draws: int) -> None:
     """Store the outcomes of draws that are not yet stored, after each of them."""
     stored = json.loads(STORED.read_text(encoding="utf-8")) if STORED.exists() else {}
-    numbers = {"joined": draws, WEAKEST: TURNED, "acceleration": FEW, "displacement": FEW}
-    for how, number in numbers.items():
-        nothing: dict = {way: {name: [] for name in SPECIMENS} for way in ("space", "plane")}
-        rows = stored.setdefault(how, nothing)
-        for i in range(len(rows["space"][SPECIMENS[0]]), number):
-            for way, of in packed(simulated(tests, how, [i])).items():
-                for name, text in of.items():
-                    rows[way][name] += text
+    numbers = {("joined", way): draws for way in WAYS}
+    numbers |= {(treatment, "space"): FEW for treatment in TREATMENTS if treatment != "joined"}
+    for (treatment, way), number in numbers.items():
+        rows = stored.setdefault(treatment, {}).setdefault(way, {name: [] for name in SPECIMENS})
+        for i in range(len(rows[SPECIMENS[0]]), number):
+            for name, texts in packed(simulated(tests, treatment, way, [i])).items():
+                rows[name] += texts
             stored |= {
                 "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
                 "rockeom": rk.__version__, "tests": len(tests.tests),
                 "priors": {
-                    "azimuth [rad]": (0.0, 2.0 * np.pi), "bearing height [m]": BEARING,
-                    "scan error [m]": SCAN_ERROR, "friction": FRICTION, "seed": SEED,
+                    "azimuth [rad]": (0.0, 2.0 * np.pi), "scan error [m]": SCAN_ERROR,
+                    "bearing height of level points [m]": BEARING, "friction": FRICTION,
+                    "seed": SEED,
                 },
             }  # fmt: skip
             STORED.write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
@@ -262,11 +281,11 @@ def predictions(tests: BoulderTests, outcomes: Outcomes) -> dict[str, dict]:
             "one threshold of the peak velocity, chosen": chosen(peaks, fell, folds),
             "discrete elements of others, stiffness chosen": chosen(others, fell, folds),
             "plane, two numbers chosen": chosen(blocks, fell, folds),
-            "plane, nothing fitted": outcomes["plane"][name].mean(axis=0),
-            "space, nothing fitted": outcomes["space"][name].mean(axis=0),
-            "plane, draws weighed": weighed(outcomes["plane"][name], fell, folds),
-            "space, draws weighed": weighed(outcomes["space"][name], fell, folds),
         }
+        for way in reversed(WAYS):
+            of = outcomes[way][name]
+            found[name][f"{NAMES[way]}, nothing fitted"] = of.mean(axis=0)
+            found[name][f"{NAMES[way]}, draws weighed"] = weighed(of, fell, folds)
     return found
 
 
@@ -309,28 +328,6 @@ def table_of_pairs(tests: BoulderTests, found: Mapping) -> str:
         ]
         p_value = validation.disagreement(*correct).p_value
         rows.append((*ways, cells[0], f"{p_value:.2g}", cells[1]))
-    return report.table(head, rows)
-
-
-def table_of_directions(tests: BoulderTests, stored: Mapping) -> str:
-    """Scores of the same draws in the plane, and in space along two directions."""
-    drawn, weakest = (unpacked(stored[how], len(tests.tests)) for how in ("joined", WEAKEST))
-    ways = {
-        "plane": drawn["plane"], "space, direction drawn": drawn["space"],
-        "space, weakest direction": weakest["space"],
-    }  # fmt: skip
-    head = (
-        f"of the first {TURNED} draws", "",
-        *(f"{what} {i + 1}" for i in (0, 1) for what in ("overturn", "right", "Brier")),
-    )  # fmt: skip
-    rows = []
-    for way, of in ways.items():
-        cells = []
-        for name in SPECIMENS:
-            p, fell = of[name][:TURNED].mean(axis=0), tests.overturned[name]
-            brier = validation.brier_score(fell, p).mean()
-            cells += [f"{x:.3f}" for x in (p.mean(), right(p, fell).mean(), brier)]
-        rows.append((way, "", *cells))
     return report.table(head, rows)
 
 
@@ -383,18 +380,15 @@ def main(argv: Sequence[str] | None = None) -> None:
         return
     stored = json.loads(STORED.read_text(encoding="utf-8"))
     outcomes = unpacked(stored["joined"], len(tests.tests))
-    again = simulated(tests, "joined", range(AGAIN))
-    apart = sum(
-        int((rows != outcomes[way][n][:AGAIN]).sum())
-        for way in again
-        for n, rows in again[way].items()
-    )
-    print(f"{apart} of {4 * AGAIN * len(tests.tests)} outcomes are not as stored", file=sys.stderr)
+    apart = 0
+    for way in WAYS:
+        again = simulated(tests, "joined", way, range(AGAIN))
+        apart += sum(int((again[n] != outcomes[way][n][:AGAIN]).sum()) for n in SPECIMENS)
+    print(f"{apart} of {6 * AGAIN * len(tests.tests)} outcomes are not as stored", file=sys.stderr)
     found = predictions(tests, outcomes)
     lines = [
         table_of_scores(tests, found), table_of_pairs(tests, found),
-        table_of_directions(tests, stored), table_of_twins(tests, outcomes),
-        treated(tests, stored),
+        table_of_twins(tests, outcomes), treated(tests, stored),
     ]  # fmt: skip
     print(*lines, sep="\n\n")
     if given.write:
@@ -408,7 +402,7 @@ def treated(tests: BoulderTests, stored: Mapping) -> str:
     head = ("motion below 2 Hz", "", *(f"right {i + 1}" for i in (0, 1)), "outcomes that differ")
     joined = unpacked(stored["joined"], len(tests.tests))["space"]
     rows = []
-    for treatment in ("joined", "acceleration", "displacement"):
+    for treatment in TREATMENTS:
         of = unpacked(stored[treatment], len(tests.tests))["space"]
         shares = [right(of[n][:FEW].mean(axis=0), tests.overturned[n]).mean() for n in SPECIMENS]
         apart = np.mean([(of[name][:FEW] != joined[name][:FEW]).mean() for name in SPECIMENS])

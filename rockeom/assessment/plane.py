@@ -15,7 +15,7 @@ from rockeom.assessment.words import percent
 from rockeom.motion.recording import Recording
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
-from rockeom.structures.positions import bodies
+from rockeom.structures.positions import bodies, feet_at_rest, has_barrier
 from rockeom.structures.shipped.offset_block import OffsetBlock
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.sweeps.options import SweepOptions
@@ -90,14 +90,16 @@ def planar_block(structure: Structure) -> tuple[Structure, float]:
 def in_plane(
     structure: Structure, conditions: Conditions, trials: Trials, level: float
 ) -> InPlane | None:
-    """The planar answer; None for a structure in the plane, for a slab on columns, and for a
-    declared body whose mass and inertia have other names.
+    """The planar answer; None for a structure in the plane, for a slab on columns, for feet of
+    different heights, and for a declared body whose mass and inertia have other names.
 
     trials : of the body in space; level : of the interval.
     """
     turns, names = len(conditions.azimuths), structure.parameters().keys()
     single = turns and len({*bodies(structure.module)} - {"contact"}) == 1
     if not single or not {"mass", "inertia_xx", "gravity"} <= names:
+        return None
+    if has_barrier(structure) and not feet_at_rest(structure).bear.all():
         return None
     block, azimuth = planar_block(structure)
     flat = conditions._replace(azimuths=(), friction=own_friction(structure))

@@ -24,7 +24,7 @@ from rockeom.motion.slope import weight_on
 from rockeom.numbers.checks import InputError
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import gravity_of
-from rockeom.structures.positions import bodies, has_barrier, stands_on_feet
+from rockeom.structures.positions import feet_at_rest, has_barrier, stands_on_feet
 from rockeom.structures.shipped.stacked_blocks import StackedBlocks
 from rockeom.structures.slope import uplift_accelerations
 
@@ -290,17 +290,17 @@ class Edge(NamedTuple):
 def weakest_edge(structure: Structure) -> Edge:
     """The edge nearest to the centroid, of equal ones the first counter-clockwise from x.
 
-    That of a round base is the one along x.
+    It is one of the base on which the body rests. That of a round base is the one along x.
 
-    Raises InputError for anything but one body at rest on level feet or a round base.
+    Raises InputError for anything but one body at rest on feet or a round base.
     """
     m: Any = structure.module
     at = structure.positions({}) if stands_on_feet(m) or structure.overturning_angles else {}
     if at and has_barrier(structure):
         from scipy.spatial import ConvexHull  # slow to import
 
-        center = at[next(iter(bodies(m)))]
-        feet = np.array([at[foot] - center for foot in m.POINTS])
+        feet, bear = feet_at_rest(structure)
+        feet = feet[bear]
         edges = ConvexHull(feet[:, :2]).equations
         x, y, offset = edges[edges[:, -1] >= edges[:, -1].max() * (1.0 + _SAME)].T
         turns = np.mod(np.arctan2(y, x) + _SAME, 2.0 * np.pi) - _SAME  # rounding is no full turn

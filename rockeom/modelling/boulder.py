@@ -19,8 +19,9 @@ class Boulder(LeggedStatue):
 
     Parameters
     ----------
-    feet : dict of str to tuple of (float, float)
-        Place of each support point along x and y [m], by its name.
+    feet : dict of str to tuple of float
+        Place of each support point along x and y [m], by its name; with a third number, its height
+        above the lowest ones.
     centroid : tuple of (float, float, float)
         Place of the centroid [m], in the same axes, z above the support points.
     mass : float
@@ -76,7 +77,7 @@ class Boulder(LeggedStatue):
         density : float, optional
             Density [kg/m3], in place of the mass.
         bearing_height : float, optional
-            Height above the lowest point within which the surface bears [m].
+            Height above the lowest point within which the surface bears as it rests [m].
         settle : bool, optional
             Whether the body is turned first, by the least turn, onto a face of its convex hull on
             which it rests: a scan that is turned by a degree touches the ground in one point.
@@ -102,9 +103,11 @@ class Boulder(LeggedStatue):
 
         Notes
         -----
-        The support points are the corners of the area below those vertices of the convex hull that
-        are within the bearing height, at most eight, and are put into one plane. They decide how
-        far a boulder leans before it falls: compare several bearing heights.
+        Support points are vertices of the convex hull, at most eight. Those within the bearing
+        height are put into one plane, on which the boulder rests. Those above, which are lowered as
+        much, touch as it leans: they are chosen so that it rolls as it does on its surface, up to a
+        tilt of 8 degrees. The bearing points decide when it lifts, the others how far it leans
+        before it falls: compare several bearing heights.
         """
         body = read_body(path, mass, density, scale)
         if settle:

@@ -3,7 +3,9 @@
 Files are read by trimesh, an extra of the package.
 """
 
+import itertools
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -19,6 +21,9 @@ from rockeom.structures.positions import solid
 FORMATS = ("stl", "obj", "ply")
 _MOST_FACES = 3000  # that a picture shows
 _FAR = 100.0  # sizes of a body from the origin: there its moments lose ten digits of sixteen
+_TILTS = np.radians([0.5, 1.0, 2.0, 4.0, 8.0])  # in which support points keep a centroid's height
+_WAYS = 48  # directions of these
+_NO_USE = 1e-8  # squared error, of the size of the base, that no further point need mend
 _FINEST = 48  # cells along the longest side, of a surface that is drawn coarser
 
 
@@ -181,27 +186,59 @@ def settled(body: MeshBody) -> MeshBody:
     )  # fmt: skip
 
 
-def support_points(
-    of: MeshBody, bearing_height: float, kind: str
-) -> dict[str, tuple[float, float]]:
-    """Places along x and y of the points on which a body stands, counter-clockwise from above.
+def support_points(of: MeshBody, bearing_height: float, kind: str) -> dict[str, tuple[float, ...]]:
+    """Places along x and y of the points on which a body stands and leans, and their heights.
 
-    The corners of the area below those vertices of the convex hull that are within the bearing
-    height of the lowest. Where they are more than the eight that a structure may have, those go
-    whose loss takes least area.
+    They are corners of its convex hull, counter-clockwise from above. Those within the bearing
+    height of the lowest bear as it rests, on one plane; the others are lowered as much. The first
+    three bear and have the centroid above them; with the others, while they are of any use and at
+    most as many as a structure may have, the height of the centroid is kept as it leans, by least
+    squares of its error over the sine of the tilt. Heights are left out where all points bear.
     """
     if not number("bearing_height", bearing_height) > 0.0:
         raise InputError("bearing_height", bearing_height, kind).give("a positive height [m]")
     hull = of.vertices[ConvexHull(of.vertices).vertices]
-    plan = hull[hull[:, 2] - hull[:, 2].min() <= bearing_height, :2] + of.centroid[:2]
+    rises = np.maximum(hull[:, 2] - hull[:, 2].min() - bearing_height, 0.0)
+    bear = np.flatnonzero(rises == 0.0)
     try:
-        corners = plan[ConvexHull(plan).vertices]
+        corners = bear[ConvexHull(hull[bear, :2]).vertices]
     except (QhullError, ValueError):
         raise InputError("bearing_height", bearing_height, kind).wrong(
-            f"is {bearing_height:g} m, within which {len(plan)} points of the surface support no "
+            f"is {bearing_height:g} m, within which {len(bear)} points of the surface support no "
             "area: give more"
         ) from None
-    while len(corners) > MOST_POINTS_IN_SPACE:
-        (ax, ay), (bx, by) = ((corners - np.roll(corners, turn, axis=0)).T for turn in (1, -1))
-        corners = np.delete(corners, np.abs(ax * by - ay * bx).argmin(), axis=0)
-    return {f"point_{i + 1}": (float(x), float(y)) for i, (x, y) in enumerate(corners)}
+    chosen = _useful(np.column_stack([hull[:, :2], rises - of.centroid[2]]), corners.tolist())
+    x, y = (hull[chosen, :2] + of.centroid[:2]).T
+    z = rises[chosen] if rises[chosen].any() else np.empty((0, len(chosen)))
+    places = np.column_stack([x, y, z.T.reshape(len(chosen), -1)])
+    return {f"point_{i + 1}": tuple(place) for i, place in enumerate(places.tolist())}
+
+
+def _useful(points: np.ndarray, bearing: list[int]) -> list[int]:
+    """Numbers of the most useful points (n, 3) from the centroid, of which some bear at rest."""
+    around = np.linspace(0.0, 2.0 * np.pi, _WAYS, endpoint=False)
+    tilts = np.repeat(_TILTS, _WAYS)
+    axes = np.column_stack([
+        np.sin(tilts) * np.tile(np.cos(around), len(_TILTS)),
+        np.sin(tilts) * np.tile(np.sin(around), len(_TILTS)), np.cos(tilts),
+    ])  # fmt: skip
+    depths = -(axes @ points.T) / np.sin(tilts)[:, None]  # of each point below the centroid
+
+    def error(some: Iterable[int]) -> float:
+        return float(((depths.max(axis=1) - depths[:, [*some]].max(axis=1)) ** 2).sum())
+
+    triples = [t for t in itertools.combinations(bearing, 3) if _surround(points[list(t), :2])]
+    chosen = list(min(triples, key=error, default=tuple(bearing)))
+    least = _NO_USE * float(np.ptp(points[bearing, :2], axis=0).max()) ** 2 * len(depths)
+    while len(chosen) < MOST_POINTS_IN_SPACE and error(chosen) > least:
+        chosen.append(min(range(len(points)), key=lambda i: error([*chosen, i])))
+    middle = points[chosen, :2].mean(axis=0)
+    angles = np.arctan2(*(points[chosen, :2] - middle).T[::-1])
+    return [chosen[i] for i in np.argsort(angles)]
+
+
+def _surround(corners: np.ndarray) -> bool:
+    """Whether corners (3, 2) of a triangle lie around the origin."""
+    x, y = corners.T
+    sides = x * np.roll(y, -1) - y * np.roll(x, -1)
+    return bool((sides > 0.0).all() or (sides < 0.0).all())

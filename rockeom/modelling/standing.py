@@ -212,8 +212,9 @@ class LeggedStatue(_StandingBody):
 
     Parameters
     ----------
-    feet : dict of str to tuple of (float, float)
-        Place of each foot along x and y [m], by its name.
+    feet : dict of str to tuple of float
+        Place of each foot along x and y [m], by its name; with a third number, its height above the
+        lowest feet, which are three or more. A foot that is higher touches when the body leans.
     centroid : tuple of (float, float, float)
         Place of the centroid [m], in the same axes, z above the feet.
     mass : float
@@ -233,8 +234,8 @@ class LeggedStatue(_StandingBody):
     Raises
     ------
     InputError
-        For numbers out of their ranges, fewer than three feet, feet in one line, a centroid that is
-        not above the area between them, and a tensor that no masses have.
+        For numbers out of their ranges, fewer than three lowest feet, lowest feet in one line, a
+        centroid that is not above the area between them, and a tensor that no masses have.
 
     Notes
     -----
@@ -329,14 +330,21 @@ class LeggedStatue(_StandingBody):
                 "a mapping of names to places, {'front': (x, y), ...}"
             ) from None
         for name, place in feet.items():
-            _check_numbers("LeggedStatue", f"foot {name!r}", place, 2)
+            rises = np.shape(place) == (3,)
+            _check_numbers("LeggedStatue", f"foot {name!r}", place, 3 if rises else 2)
         _check_numbers("LeggedStatue", "centroid", self.centroid, 3)
         check_tensor("LeggedStatue", checked(np.array(self.inertia)))
         rows = tuple(tuple(row) for row in np.array(self.inertia).tolist())
         object.__setattr__(self, "inertia", rows)
         object.__setattr__(self, "shape", surface_of(self.shape, "LeggedStatue"))
         object.__setattr__(self, "feet", tuple((name, tuple(at)) for name, at in feet.items()))
-        _check_base("LeggedStatue", checked(np.array([at for _, at in self._arms])))
+        arms, rises = np.array([at for _, at in self._arms]), checked(np.array(self._rises))
+        if (rises < 0.0).any():
+            name = self.feet[int(np.argmin(rises))][0]
+            raise InputError("feet", of="LeggedStatue").wrong(
+                f"have {name!r} below the lowest feet: give heights of 0 and more"
+            )
+        _check_base("LeggedStatue", checked(arms)[rises == 0.0])
         _slips("LeggedStatue", self.friction, self.restitution)
 
     @functools.cached_property
@@ -346,7 +354,8 @@ class LeggedStatue(_StandingBody):
     @property
     def derivation(self) -> dict[str, Any]:
         slips = _slips("LeggedStatue", self.friction, self.restitution)
-        return {"feet": tuple(name for name, _ in self.feet), "slips": slips}
+        named = {"feet": tuple(name for name, _ in self.feet), "slips": slips}
+        return named | ({"uneven": True} if self._is_uneven else {})
 
     @property
     def _arms(self) -> list[tuple[str, Place]]:
@@ -354,11 +363,22 @@ class LeggedStatue(_StandingBody):
         x, y, _ = self.centroid
         return [(foot, (at[0] - x, at[1] - y)) for foot, at in self.feet]
 
+    @property
+    def _is_uneven(self) -> bool:
+        return any(len(at) > 2 for _, at in self.feet)
+
+    @property
+    def _rises(self) -> list[float]:
+        """Heights of the feet above the lowest."""
+        return [at[2] if len(at) > 2 else 0.0 for _, at in self.feet]
+
     def parameters(self) -> dict[str, float]:
         rows = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("xz", 0, 2), ("yz", 1, 2))
         values = {f"inertia_{axes}": self.inertia[i][j] for axes, i, j in rows}
         for foot, (x, y) in self._arms:
             values |= {f"{foot}_x": x, f"{foot}_y": y}
+        if self._is_uneven:
+            values |= {f"{foot}_z": z for (foot, _), z in zip(self.feet, self._rises, strict=True)}
         values |= {name: getattr(self, name) for name in ("mass", "restitution", "gravity")}
         values |= {"centroid_height": self.centroid[2]}
         return values | ({"friction": self.friction} if self.friction else {})

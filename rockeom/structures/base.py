@@ -890,7 +890,8 @@ class Structure(metaclass=explained.Constructors):
         """Tilts beyond which a body on feet in space does not come back by itself.
 
         The barrier of its weight as it leans in a direction at rest: tan tilt = s/h, of the
-        farthest distance s of its feet in that direction and the height h of its centroid.
+        distance s in that direction and the depth h below the centroid of the foot above which the
+        centroid is highest: the farthest one, where feet are level.
 
         Parameters
         ----------
@@ -907,7 +908,7 @@ class Structure(metaclass=explained.Constructors):
         Raises
         ------
         InputError
-            For a structure that is not one body on level feet in space.
+            For a structure that is not one body on three level feet, or more, in space.
 
         Examples
         --------

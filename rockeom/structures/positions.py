@@ -324,13 +324,24 @@ def stands_on_feet(module: Any) -> bool:
 
 
 def has_barrier(structure: Any) -> bool:
-    """Whether a structure stands on feet, which are level."""
+    """Whether a structure stands on feet, of which three or more are level and none is lower."""
+    return stands_on_feet(structure.module) and bool(feet_at_rest(structure).bear.sum() > 2)
+
+
+class FeetAtRest(NamedTuple):
+    """Feet of a body at rest. places (n, 3) : from its centroid [m]. bear (n,) : the lowest."""
+
+    places: np.ndarray
+    bear: np.ndarray
+
+
+def feet_at_rest(structure: Any) -> FeetAtRest:
+    """The feet of a body that stands on feet."""
     module = structure.module
-    if not stands_on_feet(module):
-        return False
     (at,) = places(module, np.zeros(1, int), np.zeros((1, module.N_STATES)), structure.vector)
-    heights = np.array([arm[2] for arm in _arms(module, at)])
-    return bool(np.ptp(heights) <= _LEVEL * abs(heights).max())
+    arms = np.array(_arms(module, at))
+    heights = arms[:, 2]
+    return FeetAtRest(arms, heights - heights.min() <= _LEVEL * abs(heights).max())
 
 
 def barrier(module: Any, poses: Any, direction: Any) -> Any:
@@ -342,14 +353,22 @@ def barrier(module: Any, poses: Any, direction: Any) -> Any:
 
 
 def barrier_over(arms: Iterable[Any], direction: Any) -> Any:
-    """The tilt at which a centroid is above the farthest of places (x, y, z) from it [rad]."""
-    return np.arctan(reach([(x / -z, y / -z) for x, y, z in arms], direction))
+    """The tilt at which a centroid is highest, above one of places (x, y, z) from it [rad].
 
-
-def reach(feet: Iterable[Any], direction: Any) -> Any:
-    """How far the farthest of places (x, y) is in a direction, numbers or arrays (n,)."""
-    ways = [x * np.cos(direction) + y * np.sin(direction) for x, y in feet]
-    return np.max(ways, axis=0) if np.ndim(ways[0]) else max(ways)
+    There it is above the place that is farthest from it in the plane of the lean; of level places
+    that is the outermost one.
+    """
+    slopes, squares = [], []
+    for x, y, z in arms:
+        slope = x / -z * np.cos(direction) + y / -z * np.sin(direction)
+        slopes.append(slope)
+        squares.append(z**2 * (1.0 + slope**2) * (slope > 0.0))
+    if not np.ndim(slopes[0]):
+        least = max(squares) * (1.0 - _LEVEL)
+        pairs = zip(slopes, squares, strict=True)
+        return np.arctan(max(slope for slope, square in pairs if square >= least))
+    far = np.array(squares) >= np.max(squares, axis=0) * (1.0 - _LEVEL)
+    return np.arctan(np.max(slopes, axis=0, where=far, initial=-np.inf))
 
 
 def _arms(module: Any, poses: Any) -> list[tuple[Any, ...]]:

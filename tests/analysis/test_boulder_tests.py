@@ -74,9 +74,7 @@ def test_what_lacks_is_named(folder):
     with pytest.raises(ValueError, match="no array a009"):
         BoulderTests.from_folder(folder)
     path.write_text("\n".join([HEADING, LINES[0].replace(",1,0,1,", ",1,2,1,")]))
-    with pytest.raises(
-        ValueError, match=r"line 2: specimen_2 of test 7 is 2\. Remedy"
-    ):
+    with pytest.raises(ValueError, match=r"line 2: specimen_2 of test 7 is 2\. Remedy"):
         BoulderTests.from_folder(folder)
     path.write_text("\n".join([HEADING.replace("dem: 1 KN", "dem: 10 KN"), LINES[0]]))
     assert BoulderTests.from_folder(folder).of_others["specimen_1"] == {}
@@ -129,9 +127,9 @@ def test_folds_are_predicted_by_the_others():
 
 
 def test_outcomes_are_stored_to_the_bit():
-    outcomes = {"space": {"specimen_1": np.random.default_rng(1).random((3, 45)) < 0.4}}
-    again = boulders.unpacked(boulders.packed(outcomes), 45)
-    np.testing.assert_array_equal(again["space"]["specimen_1"], outcomes["space"]["specimen_1"])
+    outcomes = {"specimen_1": np.random.default_rng(1).random((3, 45)) < 0.4}
+    again = boulders.unpacked({"space": boulders.packed(outcomes)}, 45)
+    np.testing.assert_array_equal(again["space"]["specimen_1"], outcomes["specimen_1"])
 
 
 def test_a_draw_that_has_a_twin_is_predicted_by_it(folder):
@@ -153,21 +151,20 @@ def test_a_draw_that_has_a_twin_is_predicted_by_it(folder):
 def test_draws_that_are_stored_are_not_simulated_again(folder, monkeypatch, tmp_path):
     asked = []
 
-    def simulated(tests, how, draws):
-        asked.append((how, *draws))
-        rows = {name: np.full((1, len(tests.tests)), draws[0] == 1) for name in boulders.SPECIMENS}
-        return {"space": rows, "plane": rows}
+    def simulated(tests, treatment, way, draws):
+        asked.append((treatment, way, *draws))
+        return {name: np.full((1, len(tests.tests)), draws[0] == 1) for name in boulders.SPECIMENS}
 
     monkeypatch.setattr(boulders, "simulated", simulated)
     monkeypatch.setattr(boulders, "with_friction", lambda *_: (0, 2))
     monkeypatch.setattr(boulders, "STORED", tmp_path / "boulders.json")
     tests = BoulderTests.from_folder(folder)
     boulders.fit(tests, 2)
-    assert [numbers for how, *numbers in asked if how == "joined"] == [[0], [1]]
+    assert asked[:2] == [("joined", "space", 0), ("joined", "space", 1)]
     asked.clear()
     boulders.fit(tests, 3)
-    assert asked == [("joined", 2)]
+    assert asked == [("joined", way, 2) for way in boulders.WAYS]
     stored = json.loads((tmp_path / "boulders.json").read_text())
     found = boulders.unpacked(stored["joined"], len(tests.tests))
     assert found["space"]["specimen_2"][:, 0].tolist() == [False, True, False]
-    assert stored["priors"]["bearing height [m]"] == list(boulders.BEARING)
+    assert stored["priors"]["scan error [m]"] == list(boulders.SCAN_ERROR)

@@ -80,7 +80,7 @@ def test_a_box_in_coordinates_of_a_map_has_its_own_inertia(tmp_path):
 
 
 def test_a_boulder_stands_on_the_corners_of_its_lowest_points(tmp_path):
-    """A box of which one lower corner is 3 mm high stands on the others, or on all."""
+    """A box of which one lower corner is 3 mm high stands on the others and leans onto it."""
     body = box(0.6, 0.8, 0.5)
     vertices = body.vertices.copy()
     vertices[0, 2] += 0.003
@@ -88,9 +88,11 @@ def test_a_boulder_stands_on_the_corners_of_its_lowest_points(tmp_path):
     three, four = (
         rk.Boulder.from_mesh(path, mass=500.0, bearing_height=at) for at in (0.002, 0.005)
     )
-    assert len(four.feet) == 4
-    places = sorted(place for _, place in three.feet)
-    np.testing.assert_allclose(places, sorted(map(tuple, vertices[1:4, :2].tolist())))
+    assert [len(place) for _, place in four.feet] == [2] * 4
+    places = sorted(np.round([place for _, place in three.feet], 12).tolist())
+    rises = np.array([0.001, 0.0, 0.0, 0.0])
+    right = np.column_stack([vertices[:4, :2], rises])  # its lower corners
+    np.testing.assert_allclose(places, sorted(np.round(right, 12).tolist()), atol=1e-8)
     assert four.centroid[2] == pytest.approx(0.25, abs=2e-3)
     run = rk.simulate(four, rk.GroundMotion.none(0.2), initial={"pitch": 0.02})
     assert run.outcome is rk.Outcome.CAME_TO_REST
@@ -102,6 +104,23 @@ def test_a_round_base_has_the_eight_points_that_take_most_area(tmp_path):
     assert len(cone.feet) == MOST_POINTS_IN_SPACE
     least = barrier_tilts(cone, "body", np.linspace(0, 2 * np.pi, 721)).min()
     assert np.tan(least) == pytest.approx(np.cos(np.pi / 6) / 0.25)  # its sides: 30 and 60 degrees
+
+
+def test_a_boulder_rolls_on_its_points_as_on_its_surface(tmp_path):
+    """An ellipsoid of half axes a: its centroid is sqrt(sum (a n)^2) above ground of normal n."""
+    ball = trimesh.creation.icosphere(subdivisions=4)
+    ball.apply_scale([0.5, 0.4, 0.2])
+    ball.export(tmp_path / "pebble.ply")
+    pebble = rk.Boulder.from_mesh(
+        tmp_path / "pebble.ply", mass=100.0, bearing_height=1e-4, settle=True
+    )
+    assert len(pebble.feet) == MOST_POINTS_IN_SPACE
+    points = np.array([(*place, 0.0)[:3] for _, place in pebble.feet]) - pebble.centroid
+    for tilt in np.radians([1.0, 3.0, 6.0, 8.0]):
+        for d in np.linspace(0.0, 6.0, 13):
+            n = np.array([np.sin(tilt) * np.cos(d), np.sin(tilt) * np.sin(d), np.cos(tilt)])
+            right = np.linalg.norm(n * [0.5, 0.4, 0.2])
+            assert -(points @ n).min() == pytest.approx(right, rel=0.03)
 
 
 def test_a_fine_surface_is_drawn_coarser_and_keeps_its_size(tmp_path):

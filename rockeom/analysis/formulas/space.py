@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, numbers, positive, require
-from rockeom.structures import positions
 
 _NOT_FALLEN = "give a tilt between 0 and pi/2, in radians"
 
@@ -53,7 +52,8 @@ def base_reach(direction: ArrayLike, feet: ArrayLike):
     0.3
     """
     (azimuth,) = numbers("base_reach", direction=direction)
-    return positions.reach(_feet("base_reach", feet), azimuth)
+    ways = [x * np.cos(azimuth) + y * np.sin(azimuth) for x, y in _feet("base_reach", feet)]
+    return np.max(ways, axis=0)
 
 
 def overturning_tilt(direction: ArrayLike, feet: ArrayLike, height: ArrayLike):

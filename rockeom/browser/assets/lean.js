@@ -6,6 +6,8 @@ const WORDS = /** @type {typeof TEXTS & typeof TEXTS.space} */ (TEXTS);
 /** Directions at which the stability surface is drawn, and places on the ways of all feet. */
 const DIRECTIONS = 180;
 const WAYS = 4800;
+/** Relative difference of distances that is rounding. */
+const LEVEL = 1e-9;
 
 /** The lean of the body at all samples of a motion, and the tilts at which it overturns. */
 class Lean {
@@ -38,11 +40,14 @@ class Lean {
     return this.arms.length > 0;
   }
 
-  /** The tilt from which it does not come back: the centroid is above the farthest of its feet. @param {number} c @param {number} s cosine and sine of the direction */
+  /** The tilt from which it does not come back: the centroid is highest, above one of its feet. @param {number} c @param {number} s cosine and sine of the direction */
   barrier(c, s) {
     if (this.scene.runner.of.space.round)
       return Math.atan(Math.max(...this.arms.map(([x, y, z]) => Math.hypot(x, y) / -z)));
-    return Math.atan(Math.max(...this.arms.map(([x, y, z]) => (x * c + y * s) / -z)));
+    const slopes = this.arms.map(([x, y, z]) => (x * c + y * s) / -z);
+    const far = this.arms.map(([, , z], i) => (slopes[i] > 0 ? Math.hypot(z, z * slopes[i]) : 0));
+    const most = Math.max(...far) * (1 - LEVEL);
+    return Math.atan(Math.max(...slopes.filter((_, i) => far[i] >= most)));
   }
 }
 

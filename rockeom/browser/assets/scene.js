@@ -110,7 +110,7 @@ class Scene {
       ),
     );
     if (feet.length < 3) return lowest(this.surfaces.find(({ solid }) => solid.place === body)?.points ?? []);
-    return lowest(feet).length === feet.length ? feet : [];
+    return lowest(feet).length > 2 ? feet : [];
   }
 
   /** The base of the body seen from above, around it. */

@@ -56,8 +56,9 @@ def prism(slips: str = "never") -> Any:
     slips : a word of `SLIPS`.
     """
     b, c = WIDTH.symbol / 2, DEPTH.symbol / 2
+    down = -CENTROID_HEIGHT.symbol
     corners = {
-        name: (i * b - OFFSETS[0].symbol, j * c - OFFSETS[1].symbol)
+        name: (i * b - OFFSETS[0].symbol, j * c - OFFSETS[1].symbol, down)
         for name, (i, j) in CORNERS.items()
     }
     inertia = sp.diag(*(_inertia(axes).symbol for axes in MOMENTS))
@@ -66,14 +67,20 @@ def prism(slips: str = "never") -> Any:
 
 
 @family
-def legged_statue(feet: Sequence[str] = ("one", "two", "three"), slips: str = "never") -> Any:
+def legged_statue(
+    feet: Sequence[str] = ("one", "two", "three"), slips: str = "never", uneven: bool = False
+) -> Any:
     """A rigid body of any shape on feet, which never slip, slip freely, or with friction.
 
-    feet : their names. slips : a word of `SLIPS`.
+    feet : their names. slips : a word of `SLIPS`. uneven : whether feet have heights of their own.
     """
     every = {axes: _inertia(axes) for axes in (*MOMENTS, *PRODUCTS)}
-    arms = {foot: (_arm(foot, "x"), _arm(foot, "y")) for foot in feet}
-    places = {foot: (x.symbol, y.symbol) for foot, (x, y) in arms.items()}
+    axes = ("x", "y", *("z" * uneven))
+    arms = {foot: [_arm(foot, axis) for axis in axes] for foot in feet}
+    places = {}
+    for foot, (x, y, *rise) in arms.items():
+        z = sum((height.symbol for height in rise), -CENTROID_HEIGHT.symbol)
+        places[foot] = (x.symbol, y.symbol, z)
     inertia = sp.Matrix(3, 3, lambda i, j: every["".join(sorted("xyz"[i] + "xyz"[j]))].symbol)
     size = (CENTROID_HEIGHT, *every.values(), *(p for arm in arms.values() for p in arm))
     return _standing("legged_statue", "Statue on legs in space", places, inertia, size, slips)
@@ -82,14 +89,13 @@ def legged_statue(feet: Sequence[str] = ("one", "two", "three"), slips: str = "n
 def _standing(
     name: str,
     title: str,
-    feet: Mapping[str, tuple[sp.Expr, sp.Expr]],
+    feet: Mapping[str, tuple[sp.Expr, sp.Expr, sp.Expr]],
     inertia: sp.Matrix,
     size: tuple[Parameter, ...],
     slips: str,
 ) -> Model:
-    """A body on feet whose places are given from the centroid, seen from above."""
+    """A body on feet whose places are given from the centroid."""
     require_word("slips", slips, SLIPS, name)
-    places = {foot: (*place, -CENTROID_HEIGHT.symbol) for foot, place in feet.items()}
     friction = (FRICTION,) if slips == "rubbing" else ()
     law = Rigid(RESTITUTION.symbol, SLIPS[slips], "newton" if slips == "freely" else "moreau")
     return Model(
@@ -106,7 +112,7 @@ def _standing(
         bodies=(space.body("body", MASS.symbol, inertia, FRAME),),
         gravity=GRAVITY.symbol,
         rotation=PITCH,
-        contacts=space.feet(FRAME, places, law),
+        contacts=space.feet(FRAME, feet, law),
         falls=space.tilt(FRAME, FALLEN),
     )
 
@@ -121,5 +127,7 @@ def _inertia(axes: str) -> Parameter:
 
 def _arm(foot: str, axis: str) -> Parameter:
     meaning = f"place of {foot} along {axis} of the body, from the centroid"
+    if axis == "z":
+        meaning = f"height of {foot} above the lowest feet"
     symbol = sp.Symbol(f"{axis}_{{{foot.replace('_', '')}}}", real=True)
     return Parameter(symbol, f"{foot}_{axis}", "m", meaning)
