@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 70_914, "tests": 54_510, "generated": 14_265, "/.": 330, "/analysis": 8_075,
-    "/assessment": 1_680, "/browser": 4_350, "/cli": 2_671, "/codegen": 2_489, "/compiler": 2_165,
-    "/drawing": 1_903, "/exports": 1_787, "/generated": 570, "/integrator": 8_115,
-    "/modelling": 1_397, "/motion": 4_893, "/numbers": 1_061, "/plots": 1_177, "/simulation": 2_743,
-    "/structures": 4_246, "/sweeps": 2_120, "/symbolic": 9_189, "/teaching": 39,
+    "rockeom": 70_994, "tests": 54_599, "generated": 14_265, "/.": 330, "/analysis": 8_086,
+    "/assessment": 1_684, "/browser": 4_354, "/cli": 2_671, "/codegen": 2_489, "/compiler": 2_165,
+    "/drawing": 1_904, "/exports": 1_787, "/generated": 570, "/integrator": 8_115,
+    "/modelling": 1_440, "/motion": 4_893, "/numbers": 1_061, "/plots": 1_177, "/simulation": 2_743,
+    "/structures": 4_255, "/sweeps": 2_120, "/symbolic": 9_197, "/teaching": 39,
     "/thesis": 9_914,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
