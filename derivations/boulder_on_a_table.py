@@ -20,9 +20,9 @@
 #
 # Others shook a granite boulder on a table, 582 times in each of two positions, and wrote down
 # whether it fell. They published its scan and the motion of the table, but neither the direction in
-# which the table shook it nor the points on which it stood. Can a model say what happened? We derive
-# what direction and points decide, predict tests without knowing them, learn them from other tests,
-# and say how good the predictions are. Last comes the boulder of granite.
+# which the table shook it nor the points on which it stood. Can a model say what happened? We
+# derive what direction and points decide, predict tests without knowing them, learn them from other
+# tests, and say how good the predictions are. Last comes the boulder of granite.
 #
 # ## Aims
 #
