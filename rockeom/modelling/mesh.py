@@ -23,6 +23,7 @@ _MOST_FACES = 3000  # that a picture shows
 _FAR = 100.0  # sizes of a body from the origin: there its moments lose ten digits of sixteen
 _TILTS = np.radians([0.5, 1.0, 2.0, 4.0, 8.0])  # in which support points keep a centroid's height
 _WAYS = 48  # directions of these
+_FIRST = 32  # corners of a base at most, of which the first three points are some
 _NO_USE = 1e-8  # squared error, of the size of the base, that no further point need mend
 _FINEST = 48  # cells along the longest side, of a surface that is drawn coarser
 
@@ -223,15 +224,18 @@ def _useful(points: np.ndarray, bearing: list[int]) -> list[int]:
         np.sin(tilts) * np.tile(np.sin(around), len(_TILTS)), np.cos(tilts),
     ])  # fmt: skip
     depths = -(axes @ points.T) / np.sin(tilts)[:, None]  # of each point below the centroid
+    of_all = depths.max(axis=1)
 
     def error(some: Iterable[int]) -> float:
-        return float(((depths.max(axis=1) - depths[:, [*some]].max(axis=1)) ** 2).sum())
+        return float(((of_all - depths[:, [*some]].max(axis=1)) ** 2).sum())
 
-    triples = [t for t in itertools.combinations(bearing, 3) if _surround(points[list(t), :2])]
-    chosen = list(min(triples, key=error, default=tuple(bearing)))
+    few = bearing[:: -(-len(bearing) // _FIRST)]  # of a round base, around it
+    triples = [t for t in itertools.combinations(few, 3) if _surround(points[list(t), :2])]
+    chosen = list(min(triples, key=error, default=tuple(few[:MOST_POINTS_IN_SPACE])))
     least = _NO_USE * float(np.ptp(points[bearing, :2], axis=0).max()) ** 2 * len(depths)
     while len(chosen) < MOST_POINTS_IN_SPACE and error(chosen) > least:
-        chosen.append(min(range(len(points)), key=lambda i: error([*chosen, i])))
+        deepest = np.maximum(depths[:, chosen].max(axis=1)[:, None], depths)
+        chosen.append(int(((of_all[:, None] - deepest) ** 2).sum(axis=0).argmin()))
     middle = points[chosen, :2].mean(axis=0)
     angles = np.arctan2(*(points[chosen, :2] - middle).T[::-1])
     return [chosen[i] for i in np.argsort(angles)]

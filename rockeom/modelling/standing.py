@@ -344,6 +344,11 @@ class LeggedStatue(_StandingBody):
             raise InputError("feet", of="LeggedStatue").wrong(
                 f"have {name!r} below the lowest feet: give heights of 0 and more"
             )
+        if self._is_uneven and (rest := int((rises == 0.0).sum())) < 3:
+            raise InputError("feet", of="LeggedStatue").wrong(
+                f"have {rest} of height 0: give three or more on which it rests, and the heights "
+                "of others above these"
+            )
         _check_base("LeggedStatue", checked(arms)[rises == 0.0])
         _slips("LeggedStatue", self.friction, self.restitution)
 

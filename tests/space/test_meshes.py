@@ -106,6 +106,22 @@ def test_a_round_base_has_the_eight_points_that_take_most_area(tmp_path):
     assert np.tan(least) == pytest.approx(np.cos(np.pi / 6) / 0.25)  # its sides: 30 and 60 degrees
 
 
+def test_a_fine_round_base_with_a_fine_surface_has_its_points_at_once(tmp_path):
+    """A column of 400 corners, chamfered below: it rests on the inner ring, leans onto another."""
+    inner, outer, depth = 0.2, 0.3, 0.01
+    profile = [(0, 0), (inner, 0), (outer, depth), (outer, 1.0), (0, 1.0)]
+    trimesh.creation.revolve(profile, sections=400).export(tmp_path / "column.ply")
+    column = rk.Boulder.from_mesh(tmp_path / "column.ply", mass=10.0, bearing_height=1e-6)
+    places = np.array([(*place, 0.0)[:3] for _, place in column.feet])
+    at_rest = places[places[:, 2] == 0.0]
+    np.testing.assert_allclose(np.hypot(*at_rest[:, :2].T), inner, rtol=1e-4)
+    higher = places[places[:, 2] > 0.0]
+    np.testing.assert_allclose(np.hypot(*higher[:, :2].T), outer, rtol=1e-4)
+    np.testing.assert_allclose(higher[:, 2], depth, rtol=1e-3)
+    assert len(at_rest) >= 3
+    assert len(higher) >= 2
+
+
 def test_a_boulder_rolls_on_its_points_as_on_its_surface(tmp_path):
     """An ellipsoid of half axes a: its centroid is sqrt(sum (a n)^2) above ground of normal n."""
     ball = trimesh.creation.icosphere(subdivisions=4)
