@@ -170,7 +170,13 @@ test("a body overturns where its centroid is above the farthest foot, a round on
   space.round = true;
   assert.ok(Math.abs(lean.barrier(1, 0) - Math.atan(Math.hypot(b, c) / h)) < 1e-15);
   space.round = false; // over the outer foot, which is higher, and over the inner one, which is not
-  lean.arms = [[0.2, 0, -0.6], [0.35, 0, -0.58], [-0.3, 0.2, -0.6], [0.3, -0.2, -0.6], [-0.4, 0, -0.1]];
+  lean.arms = [
+    [0.2, 0, -0.6],
+    [0.35, 0, -0.58],
+    [-0.3, 0.2, -0.6],
+    [0.3, -0.2, -0.6],
+    [-0.4, 0, -0.1],
+  ];
   assert.equal(lean.barrier(1, 0), Math.atan(0.35 / 0.58));
   assert.equal(lean.barrier(-1, 0), Math.atan(0.3 / 0.6));
 });
