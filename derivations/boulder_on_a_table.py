@@ -228,8 +228,8 @@ assert max(validation.brier_score(fell, p).mean() for p in of_prior.values()) < 
 # $$\log L = \sum_i \log \sum_k w_k\,l_{ki}, \qquad
 #   w_k \leftarrow \frac1n \sum_i \frac{w_k\,l_{ki}}{\sum_j w_j\,l_{ji}}. \tag{3}$$
 #
-# $\log L$ is concave in the weights, so that it has one maximum; each step of the right side
-# (expectation and maximisation) raises it. Predictions that are mixed so are called stacked.
+# $\log L$ is concave in the weights, so that a maximum is the highest; no step of the right
+# side (expectation and maximisation) lowers it. Predictions that are mixed so are called stacked.
 #
 # *Which* tests may be used? If a test is predicted by all others, the same record at the next scale
 # is among them, and tells the outcome without any mechanics. Records, not tests, must be left out.
@@ -335,15 +335,15 @@ assert -0.02 < share_right["space"] - share_right["plane"] < 0.1
 #
 # The first attempt put the points on which it stands into one plane, as here, and failed: it was
 # wrong about one test in five, less often right than the plane and than the discrete elements of
-# others, and it was wrong on one side, for it missed half of the falls. Neither friction nor
-# restitution nor the slow part of the motion explained that.
+# others, and it was wrong on one side, for it missed more than half of the falls. Neither friction
+# nor restitution nor the slow part of the motion explained that.
 #
 # The tests told. The boulder falls in them at a peak of 0.1 g if the record is slow, and stands at
 # 1 g if it is fast. By (1) it lifts over an edge that is near; it falls like a body whose edges are
 # far. It is round below: it lifts over three near points, and leans onto farther and higher ones. A
 # body on points of their true heights, as `rk.Boulder.from_mesh` finds them, has the same unknowns.
-# With nothing fitted it is as often right as the plane; weighed by other records it is right about
-# ten tests of eleven, more often than the plane and the discrete elements.
+# With nothing fitted it is about as often right as the plane; weighed by other records it is right
+# about ten tests of eleven, more often than the plane and the discrete elements.
 #
 # ## Exercises
 #

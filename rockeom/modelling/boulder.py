@@ -106,9 +106,9 @@ class Boulder(LeggedStatue):
         Support points are vertices of the convex hull, at most eight. Those within the bearing
         height are put into one plane, on which the boulder rests. Those above, which are lowered as
         much, touch as it leans: they are chosen so that it rolls as it does on its surface, up to a
-        tilt of 8 degrees. Points that would touch beyond that, and some of a base that is round all
-        about, are left out, so that it falls sooner there. The bearing points decide when it lifts,
-        the others how far it leans before it falls: compare several bearing heights.
+        tilt of 8 degrees. Points that would touch beyond that, and some of a base of many corners,
+        are left out, so that it lifts and falls sooner there. The bearing points decide when it
+        lifts, the others how far it leans before it falls: compare several bearing heights.
         """
         body = read_body(path, mass, density, scale)
         if settle:

@@ -230,7 +230,9 @@ def _useful(points: np.ndarray, bearing: list[int]) -> list[int]:
         return float(((of_all - depths[:, [*some]].max(axis=1)) ** 2).sum())
 
     few = bearing[:: -(-len(bearing) // _FIRST)]  # of a round base, around it
-    triples = [t for t in itertools.combinations(few, 3) if _surround(points[list(t), :2])]
+    fan = ((bearing[0], i, j) for i, j in itertools.pairwise(bearing[1:]))  # covers any base
+    tried = itertools.chain(itertools.combinations(few, 3), fan)
+    triples = [t for t in tried if _surround(points[list(t), :2])]
     chosen = list(min(triples, key=error, default=tuple(few[:MOST_POINTS_IN_SPACE])))
     least = _NO_USE * float(np.ptp(points[bearing, :2], axis=0).max()) ** 2 * len(depths)
     while len(chosen) < MOST_POINTS_IN_SPACE and error(chosen) > least:

@@ -22,6 +22,8 @@ from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.positions import Solid, box, solid
 
 Place = tuple[float, float]
+_LEVEL = 1e-9
+"""Relative to the height of the centroid: feet that are less above the lowest are level."""
 _OF_MASSES = ("inertia_xx", "inertia_yy", "inertia_zz", "centroid_height")
 
 
@@ -375,7 +377,9 @@ class LeggedStatue(_StandingBody):
     @property
     def _rises(self) -> list[float]:
         """Heights of the feet above the lowest."""
-        return [at[2] if len(at) > 2 else 0.0 for _, at in self.feet]
+        least = _LEVEL * value_of(self.centroid[2])
+        heights = [at[2] if len(at) > 2 else 0.0 for _, at in self.feet]
+        return [0.0 if abs(value_of(height)) <= least else height for height in heights]
 
     def parameters(self) -> dict[str, float]:
         rows = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("xz", 0, 2), ("yz", 1, 2))
@@ -392,7 +396,8 @@ class LeggedStatue(_StandingBody):
 def _check_numbers(kind: str, name: str, values: Any, length: int) -> None:
     """Raise InputError for anything but so many finite numbers."""
     try:
-        numbers = checked(np.array(values)).astype(float)
+        given = np.array(values)
+        numbers = np.empty(0) if given.dtype.kind in "US" else checked(given).astype(float)
     except (TypeError, ValueError):
         numbers = np.empty(0)
     if numbers.shape != (length,) or not np.isfinite(numbers).all():

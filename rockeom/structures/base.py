@@ -891,7 +891,8 @@ class Structure(metaclass=explained.Constructors):
 
         The barrier of its weight as it leans in a direction at rest: tan tilt = s/h, of the
         distance s in that direction and the depth h below the centroid of the foot above which the
-        centroid is highest: the farthest one, where feet are level.
+        centroid is highest: the farthest one, where feet are level. Where they are not, it may come
+        to rest between a lower barrier and this one. Feet above the centroid do not count.
 
         Parameters
         ----------

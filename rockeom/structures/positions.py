@@ -356,10 +356,10 @@ def barrier_over(arms: Iterable[Any], direction: Any) -> Any:
     """The tilt at which a centroid is highest, above one of places (x, y, z) from it [rad].
 
     There it is above the place that is farthest from it in the plane of the lean; of level places
-    that is the outermost one.
+    that is the outermost one. Places as high as it, or higher, do not count.
     """
     slopes, squares = [], []
-    for x, y, z in arms:
+    for x, y, z in (arm for arm in arms if np.all(arm[2] < 0.0)):
         slope = x / -z * np.cos(direction) + y / -z * np.sin(direction)
         slopes.append(slope)
         squares.append(z**2 * (1.0 + slope**2) * (slope > 0.0))

@@ -122,6 +122,17 @@ def test_a_fine_round_base_with_a_fine_surface_has_its_points_at_once(tmp_path):
     assert len(higher) >= 2
 
 
+def test_a_base_of_many_corners_on_one_side_keeps_the_far_one(tmp_path):
+    """Half a circle of forty corners and a tip, below whose side the centroid is."""
+    around = np.linspace(np.pi / 2, 3 * np.pi / 2, 40)
+    base = np.vstack([0.2 * np.column_stack([np.cos(around), np.sin(around)]), [(0.5, 0.0)]])
+    top = np.array([(x, y, 0.4) for x in (0.05, 0.6) for y in (-0.2, 0.2)])
+    body = trimesh.convex.convex_hull(np.vstack([np.column_stack([base, 0.0 * base[:, 0]]), top]))
+    body.export(tmp_path / "tip.ply")
+    boulder = rk.Boulder.from_mesh(tmp_path / "tip.ply", mass=10.0)
+    assert max(place[0] for _, place in boulder.feet) == pytest.approx(0.5, abs=1e-6)
+
+
 def test_a_boulder_rolls_on_its_points_as_on_its_surface(tmp_path):
     """An ellipsoid of half axes a: its centroid is sqrt(sum (a n)^2) above ground of normal n."""
     ball = trimesh.creation.icosphere(subdivisions=4)

@@ -175,6 +175,7 @@ TRIPOD = {
         ({"feet": [1.0]}, "a mapping of names to places"),
         ({"feet": {"a": (0, 0, 0, 0), "b": (1, 0), "c": (2, 0)}}, "foot 'a' is .*give 2 finite"),
         ({"feet": {"a": (0, 0, -0.01), "b": (1, 0), "c": (2, 0)}}, "have 'a' below the lowest"),
+        ({"feet": {"a": (0, 0, "1"), "b": (1, 0), "c": (2, 0)}}, "foot 'a' is .*give 3 finite"),
         ({"feet": {"a": (0, 0, 0.01), "b": (1, 0), "c": (2, 0)}}, "have 2 of height 0: give three"),
         ({"centroid": (5.0, 5.0, 1.0)}, "not above the area between the feet"),
         ({"centroid": (0.0, 0.0)}, "give 3 finite numbers"),

@@ -242,6 +242,17 @@ def test_the_barrier_is_where_the_weight_is_highest(name):
         assert highest.x == pytest.approx(tilt, abs=1e-6)
 
 
+def test_feet_above_the_centroid_are_no_barrier_and_rounding_is_no_height():
+    (level,) = BODIES["tripod"].overturning_tilts(0.3)
+    high = TRIPOD["feet"] | {"high": (-0.5, 0.0, 0.7), "as_high": (0.5, 0.0, 0.6)}
+    raised = rk.LeggedStatue(**TRIPOD | {"feet": high})
+    assert raised.overturning_tilts(0.3) == pytest.approx([level])
+    rounded = {name: (*at, rise) for (name, at), rise in zip(
+        TRIPOD["feet"].items(), (0.3 - 0.1 - 0.2, 0.0, 3e-17), strict=True)}  # fmt: skip
+    flat = rk.LeggedStatue(**TRIPOD | {"feet": rounded})
+    assert flat.overturning_tilts(0.3) == pytest.approx([level])
+
+
 def test_uneven_feet_are_as_level_ones_where_they_are_level_and_as_none_where_they_never_touch():
     inner = {name: at for name, at in ROUND["feet"].items() if len(at) == 2}
     lean = axis(0.08, 0.5)

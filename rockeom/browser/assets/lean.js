@@ -44,8 +44,9 @@ class Lean {
   barrier(c, s) {
     if (this.scene.runner.of.space.round)
       return Math.atan(Math.max(...this.arms.map(([x, y, z]) => Math.hypot(x, y) / -z)));
-    const slopes = this.arms.map(([x, y, z]) => (x * c + y * s) / -z);
-    const far = this.arms.map(([, , z], i) => (slopes[i] > 0 ? Math.hypot(z, z * slopes[i]) : 0));
+    const below = this.arms.filter(([, , z]) => z < 0);
+    const slopes = below.map(([x, y, z]) => (x * c + y * s) / -z);
+    const far = below.map(([, , z], i) => (slopes[i] > 0 ? Math.hypot(z, z * slopes[i]) : 0));
     const most = Math.max(...far) * (1 - LEVEL);
     return Math.atan(Math.max(...slopes.filter((_, i) => far[i] >= most)));
   }
