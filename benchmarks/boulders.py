@@ -1,7 +1,7 @@
 """Tests of a boulder on a shaking table, predicted in space and in the plane.
 
     python -m benchmarks.boulders fit FOLDER            # an hour; stores the outcomes that lack
-    python -m benchmarks.boulders scores FOLDER --write docs/validation.md     # two minutes
+    python -m benchmarks.boulders scores FOLDER --write docs/validation.md     # three minutes
 
 FOLDER has the tests, see `rockeom.analysis.validation.BoulderTests`. `fit` simulates all tests
 with each draw from the priors below, and stores the outcomes in boulders.json beside this file,
@@ -35,6 +35,7 @@ import sys
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -145,10 +146,14 @@ def overturned(case: rk.Case, motions: rk.MotionSet) -> np.ndarray:
     return outcomes == "overturned"
 
 
+@cache
+def motions_of(tests: BoulderTests, treatment: str = "joined") -> rk.MotionSet:
+    return rk.MotionSet(tests.motion(i, treatment) for i in range(len(tests.tests)))
+
+
 def simulated(tests: BoulderTests, treatment: str, way: str, draws: Sequence[int]) -> dict:
     """Outcomes (draws, n) of draws in one way, by specimen."""
-    motions = rk.MotionSet(tests.motion(i, treatment) for i in range(len(tests.tests)))
-    found = {}
+    motions, found = motions_of(tests, treatment), {}
     for specimen in SPECIMENS:
         surface, rows = read_body(tests.surfaces[specimen], MASS, None, 1.0), []
         for number in draws:
@@ -271,7 +276,7 @@ def by_two_numbers(motions: rk.MotionSet) -> np.ndarray:
 
 def predictions(tests: BoulderTests, outcomes: Outcomes) -> dict[str, dict]:
     """Probabilities of overturning (n,) of each specimen, by each way of predicting."""
-    motions = rk.MotionSet(tests.motion(i) for i in range(len(tests.tests)))
+    motions = motions_of(tests)
     peaks, blocks = by_velocity(list(motions)), by_two_numbers(motions)
     found: dict[str, dict] = {}
     for name in SPECIMENS:
@@ -283,10 +288,18 @@ def predictions(tests: BoulderTests, outcomes: Outcomes) -> dict[str, dict]:
             "plane, two numbers chosen": chosen(blocks, fell, folds),
         }
         for way in reversed(WAYS):
-            of = outcomes[way][name]
-            found[name][f"{NAMES[way]}, nothing fitted"] = of.mean(axis=0)
-            found[name][f"{NAMES[way]}, draws weighed"] = weighed(of, fell, folds)
+            found[name] |= by_draws(NAMES[way], outcomes[way][name], fell, folds)
     return found
+
+
+def by_draws(
+    of: str, outcomes: np.ndarray, observed: np.ndarray, folds: np.ndarray, iterations=ITERATIONS
+) -> dict[str, np.ndarray]:
+    """Probabilities (n,) by draws (k, n) of a model, alike and weighed."""
+    return {
+        f"{of}, nothing fitted": outcomes.mean(axis=0),
+        f"{of}, draws weighed": weighed(outcomes, observed, folds, iterations),
+    }
 
 
 # -- the page ------------------------------------------------------------------------------------
@@ -296,15 +309,19 @@ def right(probability: np.ndarray, fell: np.ndarray) -> np.ndarray:
     return (probability > 0.5) == fell
 
 
+def scores(probability: np.ndarray, fell: np.ndarray) -> tuple[float, float]:
+    """Share that is right, and mean score of Brier."""
+    brier = validation.brier_score(fell, probability).mean()
+    return float(right(probability, fell).mean()), float(brier)
+
+
 def table_of_scores(tests: BoulderTests, found: Mapping) -> str:
     head = ("prediction", "", *(f"{what} {i + 1}" for i in (0, 1) for what in ("right", "Brier")))
     rows = []
     for way in found[SPECIMENS[0]]:
         cells = []
         for name in SPECIMENS:
-            p, fell = found[name][way], tests.overturned[name]
-            cells += [f"{right(p, fell).mean():.3f}"]
-            cells += [f"{validation.brier_score(fell, p).mean():.3f}"]
+            cells += [f"{x:.3f}" for x in scores(found[name][way], tests.overturned[name])]
         rows.append((way, "", *cells))
     return report.table(head, rows)
 
@@ -337,22 +354,23 @@ def table_of_twins(tests: BoulderTests, outcomes: Outcomes) -> str:
     head += tuple(f"{what} {i + 1}" for i in (0, 1) for what in ("draws", "right", "Brier"))
     cells: dict[str, list[str]] = {}
     for name in SPECIMENS:
-        space, plane = outcomes["space"][name], outcomes["plane"][name]
-        scores: dict[str, list[tuple[float, float]]] = {}
-        for k in (k for k, fell in enumerate(space) if TWINS[0] < fell.mean() < TWINS[1]):
-            fell, others = space[k], np.arange(len(space)) != k
-            for way, of in (("space", space[others]), ("plane", plane[others])):
-                predicted = {
-                    f"{way}, nothing fitted": of.mean(axis=0),
-                    f"{way}, draws weighed": weighed(of, fell, tests.folds, FEWER),
-                }
-                for said, p in predicted.items():
-                    brier = float(validation.brier_score(fell, p).mean())
-                    scores.setdefault(said, []).append((float(right(p, fell).mean()), brier))
-        for said, pairs in scores.items():
+        for said, pairs in scores_of_twins(outcomes, name, tests.folds).items():
             numbers = [f"{len(pairs)}", *(f"{x:.3f}" for x in np.mean(pairs, axis=0))]
             cells[said] = cells.get(said, []) + numbers
     return report.table(head, [(said, "", *row) for said, row in cells.items()])
+
+
+def scores_of_twins(outcomes: Outcomes, specimen: str, folds: np.ndarray) -> dict[str, list]:
+    """Scores by the other draws, of each draw that may stand for the boulder."""
+    found: dict[str, list[tuple[float, float]]] = {}
+    space = outcomes["space"][specimen]
+    for k in (k for k, fell in enumerate(space) if TWINS[0] < fell.mean() < TWINS[1]):
+        others = np.arange(len(space)) != k
+        for way in ("space", "plane"):
+            of_others = outcomes[way][specimen][others]
+            for said, p in by_draws(way, of_others, space[k], folds, FEWER).items():
+                found.setdefault(said, []).append(scores(p, space[k]))
+    return found
 
 
 def picture(tests: BoulderTests, found: Mapping, path: Path) -> None:

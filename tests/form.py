@@ -215,11 +215,11 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 71_011, "tests": 54_636, "generated": 14_265, "/.": 330, "/analysis": 8_086,
+    "rockeom": 71_002, "tests": 54_636, "generated": 14_265, "/.": 330, "/analysis": 8_086,
     "/assessment": 1_684, "/browser": 4_355, "/cli": 2_671, "/codegen": 2_489, "/compiler": 2_165,
     "/drawing": 1_904, "/exports": 1_787, "/generated": 570, "/integrator": 8_115,
-    "/modelling": 1_456, "/motion": 4_893, "/numbers": 1_061, "/plots": 1_177, "/simulation": 2_743,
-    "/structures": 4_255, "/sweeps": 2_120, "/symbolic": 9_197, "/teaching": 39,
+    "/modelling": 1_449, "/motion": 4_893, "/numbers": 1_061, "/plots": 1_177, "/simulation": 2_743,
+    "/structures": 4_253, "/sweeps": 2_120, "/symbolic": 9_197, "/teaching": 39,
     "/thesis": 9_914,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""

@@ -68,7 +68,7 @@ def planar_block(structure: Structure) -> tuple[Structure, float]:
     """The block that leans over the weakest edge of a body in space, and the azimuth to which.
 
     It has the body's mass and moment of inertia about that edge's direction. To its right is the
-    weakest edge, to its left the farthest foot.
+    weakest edge, to its left the farthest foot that bears at rest.
     """
     edge, values = weakest_edge(structure), structure.parameters()
     x, y = -math.sin(edge.azimuth), math.cos(edge.azimuth)  # along the edge

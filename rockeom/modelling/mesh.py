@@ -209,21 +209,16 @@ def support_points(of: MeshBody, bearing_height: float, kind: str) -> dict[str, 
             "area: give more"
         ) from None
     chosen = _useful(np.column_stack([hull[:, :2], rises - of.centroid[2]]), corners.tolist())
-    x, y = (hull[chosen, :2] + of.centroid[:2]).T
-    z = rises[chosen] if rises[chosen].any() else np.empty((0, len(chosen)))
-    places = np.column_stack([x, y, z.T.reshape(len(chosen), -1)])
-    return {f"point_{i + 1}": tuple(place) for i, place in enumerate(places.tolist())}
+    places = np.column_stack([hull[chosen, :2] + of.centroid[:2], rises[chosen]])
+    count = 3 if rises[chosen].any() else 2
+    return {f"point_{i + 1}": tuple(place[:count]) for i, place in enumerate(places.tolist())}
 
 
 def _useful(points: np.ndarray, bearing: list[int]) -> list[int]:
     """Numbers of the most useful points (n, 3) from the centroid, of which some bear at rest."""
-    around = np.linspace(0.0, 2.0 * np.pi, _WAYS, endpoint=False)
-    tilts = np.repeat(_TILTS, _WAYS)
-    axes = np.column_stack([
-        np.sin(tilts) * np.tile(np.cos(around), len(_TILTS)),
-        np.sin(tilts) * np.tile(np.sin(around), len(_TILTS)), np.cos(tilts),
-    ])  # fmt: skip
-    depths = -(axes @ points.T) / np.sin(tilts)[:, None]  # of each point below the centroid
+    around = np.tile(np.linspace(0.0, 2.0 * np.pi, _WAYS, endpoint=False), len(_TILTS))
+    upward = np.column_stack([np.cos(around), np.sin(around), 1.0 / np.tan(_TILTS.repeat(_WAYS))])
+    depths = -upward @ points.T  # of each point below the centroid, over the sine of the tilt
     of_all = depths.max(axis=1)
 
     def error(some: Iterable[int]) -> float:

@@ -19,11 +19,9 @@ from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import checked
 from rockeom.structures.declared import StructureWithFields
-from rockeom.structures.positions import Solid, box, solid
+from rockeom.structures.positions import LEVEL, Solid, box, solid
 
 Place = tuple[float, float]
-_LEVEL = 1e-9
-"""Relative to the height of the centroid: feet that are less above the lowest are level."""
 _OF_MASSES = ("inertia_xx", "inertia_yy", "inertia_zz", "centroid_height")
 
 
@@ -284,8 +282,9 @@ class LeggedStatue(_StandingBody):
         ----------
         path : path_like
             File .stl, .obj or .ply, z upwards. It is read by trimesh, of the extra `mesh`.
-        feet : dict of str to tuple of (float, float)
-            Place of each foot along x and y of the file [m], by its name.
+        feet : dict of str to tuple of float
+            Place of each foot along x and y of the file [m], by its name, and its height, as of the
+            class.
         mass : float, optional
             Mass [kg].
         density : float, optional
@@ -377,7 +376,7 @@ class LeggedStatue(_StandingBody):
     @property
     def _rises(self) -> list[float]:
         """Heights of the feet above the lowest."""
-        least = _LEVEL * value_of(self.centroid[2])
+        least = LEVEL * value_of(self.centroid[2])
         heights = [at[2] if len(at) > 2 else 0.0 for _, at in self.feet]
         return [0.0 if abs(value_of(height)) <= least else height for height in heights]
 

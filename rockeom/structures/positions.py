@@ -260,7 +260,7 @@ def shapes(module: Any, p: np.ndarray) -> Shapes:
 
 # -- the lean of bodies in space -------------------------------------------------------------------
 
-_LEVEL = 1e-9
+LEVEL = 1e-9
 """Relative to the height of the centroid: feet that differ less are level."""
 
 
@@ -341,7 +341,7 @@ def feet_at_rest(structure: Any) -> FeetAtRest:
     (at,) = places(module, np.zeros(1, int), np.zeros((1, module.N_STATES)), structure.vector)
     arms = np.array(_arms(module, at))
     heights = arms[:, 2]
-    return FeetAtRest(arms, heights - heights.min() <= _LEVEL * abs(heights).max())
+    return FeetAtRest(arms, heights - heights.min() <= LEVEL * abs(heights).max())
 
 
 def barrier(module: Any, poses: Any, direction: Any) -> Any:
@@ -364,10 +364,10 @@ def barrier_over(arms: Iterable[Any], direction: Any) -> Any:
         slopes.append(slope)
         squares.append(z**2 * (1.0 + slope**2) * (slope > 0.0))
     if not np.ndim(slopes[0]):
-        least = max(squares) * (1.0 - _LEVEL)
+        least = max(squares) * (1.0 - LEVEL)
         pairs = zip(slopes, squares, strict=True)
         return np.arctan(max(slope for slope, square in pairs if square >= least))
-    far = np.array(squares) >= np.max(squares, axis=0) * (1.0 - _LEVEL)
+    far = np.array(squares) >= np.max(squares, axis=0) * (1.0 - LEVEL)
     return np.arctan(np.max(slopes, axis=0, where=far, initial=-np.inf))
 
 
@@ -385,6 +385,4 @@ def _arms(module: Any, poses: Any) -> list[tuple[Any, ...]]:
 
 def barriers(structure: Any, directions: np.ndarray) -> np.ndarray:
     """The stability surface of a structure that `has_barrier`: `Structure.overturning_tilts`."""
-    module = structure.module
-    (at,) = places(module, np.zeros(1, int), np.zeros((1, module.N_STATES)), structure.vector)
-    return barrier(module, np.repeat(at[..., None], directions.size, axis=-1), directions)
+    return barrier_over(feet_at_rest(structure).places, directions)
